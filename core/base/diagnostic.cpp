@@ -50,15 +50,18 @@ void appendExcerpt(std::string& out, const Place& place)
     if (place.column > 0) out += std::string(width, ' ') + " | " + marks + '\n';
 }
 
+constexpr std::size_t kMaxCompared = 64;  // bytes of a name; a longer one is no slip of the pen
+
 // Insertions, deletions, replacements and swaps of neighbours that lead from `a` to `b` (the
-// optimal string alignment distance).
+// optimal string alignment distance). Requires that `b` has at most kMaxCompared bytes.
 std::size_t editDistance(std::string_view a, std::string_view b)
 {
-    std::vector<std::size_t> two_up, up, row(b.size() + 1);
+    std::size_t rows[3][kMaxCompared + 1] = {};
+    std::size_t *two_up = rows[0], *up = rows[1], *row = rows[2];
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        two_up = std::move(up);
-        up = row;
+        std::swap(two_up, up);
+        std::swap(up, row);
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const std::size_t replaced = up[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
@@ -73,22 +76,23 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 // How far `candidate` is from what was written; above `limit` is not near. Less of a name and a
 // name with more behind it ("r8unorm" for "r8") or before it ("gl_r8") count as just near enough,
 // the last part of a path ("hemisphere" for "ssao/hemisphere") as one letter off.
-std::size_t nameDistance(const std::string& written, const std::string& candidate,
-                         std::size_t limit)
+std::size_t nameDistance(std::string_view written, std::string_view candidate, std::size_t limit)
 {
     const std::size_t slash = candidate.rfind('/');
     if (slash != std::string::npos &&
         candidate.substr(slash + 1) == written.substr(written.rfind('/') + 1))  // npos + 1 is 0
         return std::min<std::size_t>(limit, 1);
     const bool more = written.size() > candidate.size();
-    const std::string &longer = more ? written : candidate, &shorter = more ? candidate : written;
+    const std::string_view longer = more ? written : candidate,
+                           shorter = more ? candidate : written;
     const bool part =
         shorter.size() > 1 && (startsWith(longer, shorter) || endsWith(longer, shorter));
     const std::size_t far = part ? limit : limit + 1;
-    if (longer.size() - shorter.size() > limit || longer.size() > 64) return far;
+    if (longer.size() - shorter.size() > limit || longer.size() > kMaxCompared) return far;
     return std::min(far, editDistance(written, candidate));
 }
 
+// The first in the alphabet of those that are nearest.
 const std::string* nearestName(std::string_view name, const std::vector<std::string>& names)
 {
     const std::string written = lowerCase(name);
@@ -97,7 +101,7 @@ const std::string* nearestName(std::string_view name, const std::vector<std::str
     std::size_t smallest = limit + 1;
     for (const std::string& candidate : names) {
         const std::size_t distance = nameDistance(written, lowerCase(candidate), limit);
-        if (distance < smallest) {
+        if (distance < smallest || (nearest && distance == smallest && candidate < *nearest)) {
             smallest = distance;
             nearest = &candidate;
         }
@@ -138,6 +142,21 @@ bool hasErrors(const Diagnostics& diagnostics)
 {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
                        [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+void cutShort(Diagnostics& diagnostics)
+{
+    if (diagnostics.size() <= kMaxDiagnostics) return;
+    const std::size_t more = diagnostics.size() - kMaxDiagnostics;
+    std::stable_partition(diagnostics.begin(), diagnostics.end(),
+                          [](const Diagnostic& d) { return d.severity == Severity::error; });
+    diagnostics.erase(diagnostics.begin() + kMaxDiagnostics, diagnostics.end());
+    diagnostics.back().notes.push_back(moreNote(more));
+}
+
+Note moreNote(std::size_t more)
+{
+    return {{}, "and " + std::to_string(more) + " more, which are not listed; mend these first"};
 }
 
 void append(Diagnostics& all, const Diagnostics& more)
@@ -201,17 +220,19 @@ std::string toJson(const Diagnostics& diagnostics)
     return out + (diagnostics.empty() ? "]\n" : "\n]\n");
 }
 
-std::string suggestName(std::string_view name, std::vector<std::string> names,
+std::string suggestName(std::string_view name, const std::vector<std::string>& names,
                         std::string_view what)
 {
     constexpr std::size_t kMaxListed = 16;  // about three lines of a terminal
     if (names.empty()) return "there are no " + std::string(what);
-    std::sort(names.begin(), names.end());
     const std::string* nearest = nearestName(name, names);
-    std::string help = nearest ? "did you mean '" + *nearest + "'? " : "";
-    const bool more = names.size() > kMaxListed;
-    if (more) names.resize(kMaxListed);
-    return help + std::string(what) + ": " + joined(names) + (more ? ", ..." : "");
+    std::vector<std::string> listed(std::min(names.size(), kMaxListed));
+    std::partial_sort_copy(names.begin(), names.end(), listed.begin(), listed.end());
+    const std::string rest = names.size() > kMaxListed
+                                 ? " and " + std::to_string(names.size() - kMaxListed) + " more"
+                                 : "";
+    return (nearest ? "did you mean '" + *nearest + "'? " : "") + std::string(what) + ": " +
+           joined(listed) + rest;
 }
 
 }  // namespace crevice

@@ -2,6 +2,7 @@
 // Compiling: the steps in their order, and what they share.
 #include "core/compile/steps.h"
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -19,6 +20,12 @@ State begin(const Description& description, const SceneTraits& traits, const Dev
     State state{description, traits, caps, options};
     state.shaders.resize(description.shaders.size());
     state.targets.resize(description.targets.size());
+    std::map<std::string_view, int> targets;
+    for (const TargetDesc& each : description.targets)
+        targets.emplace(each.name, static_cast<int>(targets.size()));
+    for (std::size_t i = 0; i < state.targets.size(); ++i)
+        if (const auto of = targets.find(description.targets[i].size.of.name); of != targets.end())
+            state.targets[i].followed = of->second;
     for (const PassDesc& desc : description.passes) {
         Pass pass;
         pass.desc = &desc;
@@ -62,6 +69,27 @@ void chooseOutputs(State& state)
     }
 }
 
+Status checkBytes(const Plan& plan, const Description& description)
+{
+    constexpr double kMiB = 1 << 20;
+    const auto mib = [](double bytes) { return significant(bytes / kMiB, 4) + " MiB"; };
+    double bytes = 0;
+    const PlanTexture* largest = nullptr;
+    for (const PlanTexture& each : plan.textures) {
+        bytes += textureBytes(each);
+        if (!largest || textureBytes(each) > textureBytes(*largest)) largest = &each;
+    }
+    if (bytes <= description.limits.bytes) return {};
+    return Diagnostic{
+        Code::over_limit,
+        "its textures take " + mib(bytes) + ", and at most " + mib(description.limits.bytes) +
+            " may be: " + std::to_string(plan.textures.size()) + " of them, the largest of " +
+            mib(textureBytes(*largest)) + " for " + joined(largest->targets),
+        "ask for a smaller size, give targets a smaller format or `scale`, or raise "
+        "Limits::bytes",
+        description.place};
+}
+
 // A mistake in GLSL that several passes or shaders share is one mistake.
 void dropRepeats(State& state)
 {
@@ -83,6 +111,11 @@ void dropRepeats(State& state)
 }
 
 }  // namespace
+
+bool isFull(const State& state)
+{
+    return state.diagnostics.size() > kMaxDiagnostics && hasErrors(state.diagnostics);
+}
 
 bool State::applies(std::string_view optimization) const
 {
@@ -154,9 +187,9 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     std::vector<Elided> elided;
     for (const Description::LeftOut& each : description.left_out)
         elided.push_back({"module " + each.module, "replaced", each.reason});
-    const std::optional<Description> fitted =
-        fitBorders({description, traits, caps, options}, elided);
-    State state = begin(fitted ? *fitted : description, traits, caps, options);
+    State asked = begin(description, traits, caps, options);
+    const std::optional<Description> fitted = fitBorders(asked, elided);
+    State state = fitted ? begin(*fitted, traits, caps, options) : std::move(asked);
     state.elided = std::move(elided);
     checkRules(state);
     chooseOutputs(state);
@@ -173,8 +206,11 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     lintPrecision(state);
     dropRepeats(state);
     if (!hasErrors(state.diagnostics)) append(state.diagnostics, description.unused);
+    cutShort(state.diagnostics);
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
-    return {buildPlan(state), std::move(state.diagnostics)};
+    Plan plan = buildPlan(state);
+    if (const Status fits = checkBytes(plan, description); !fits) return fits.diagnostics();
+    return {std::move(plan), std::move(state.diagnostics)};
 }
 
 }  // namespace crevice

@@ -54,7 +54,8 @@ void addSteps(GlslDefines& defines, const State& state)
             defines[stepDefine(import.name)] = stepsOf(formatFromName(import.format));
 }
 
-GlslDefines definesFor(const State& state, const ShaderDesc& shader)
+// What every shader may mention.
+GlslDefines commonDefines(const State& state)
 {
     GlslDefines defines;
     addSteps(defines, state);
@@ -62,7 +63,6 @@ GlslDefines definesFor(const State& state, const ShaderDesc& shader)
         if (param.bind == Bind::define) defines[upperCase(param.name)] = literal(param);
     for (const FeatureDesc& feature : state.description.features) addFeature(defines, feature);
     addTraits(defines, state.traits);
-    for (const auto& [name, value] : shader.defines) defines[name] = value;
     return defines;
 }
 
@@ -73,7 +73,10 @@ const Shader& assembled(State& state, int index)
     if (shader.assembled) return shader;
     shader.assembled = true;
     const ShaderDesc& desc = state.description.shaders[index];
-    const GlslDefines defines = definesFor(state, desc);
+    GlslDefines own;
+    if (!desc.defines.empty()) own = state.defines;
+    for (const auto& [name, value] : desc.defines) own[name] = value;
+    const GlslDefines& defines = desc.defines.empty() ? state.defines : own;
     std::map<std::string, std::string> interfaces;
     for (const InterfaceDesc& each : state.description.interfaces)
         interfaces[each.name] = each.file.name;
@@ -116,6 +119,7 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
     const int count = static_cast<int>(reader.color.size());
     const std::string who = quoted(reader) + ": ";
     for (const GlslOutput& output : fragment.outputs) {
+        if (isFull(state)) return;
         if (output.location >= 0 && output.location < count) continue;
         state.unwritten.insert(output.name);
         Diagnostic& error = reportGlsl(
@@ -129,7 +133,7 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
         error.pointer = pass.color.back().pointer;
     }
     for (int i = 0; i < count; ++i) {
-        if (writes(fragment, i)) continue;
+        if (writes(fragment, i) || isFull(state)) continue;
         report(state, Code::output_mismatch,
                who + "its shader has no output at location " + std::to_string(i) + " for target '" +
                    pass.color[i].name + "'",
@@ -199,7 +203,8 @@ void readPass(State& state, Pass& pass)
         refuseBlocks(state, desc, desc.fragment, shader.fragment);
     }
     for (const GlslStage* stage : {&shader.vertex, &shader.fragment})
-        for (const GlslUniform& uniform : stage->uniforms) bindUniform(state, pass, uniform);
+        for (const GlslUniform& uniform : stage->uniforms)
+            if (!isFull(state)) bindUniform(state, pass, uniform);
     checkInputs(state, pass);
     dropUnwritten(pass, shader.fragment);
     checkOutputs(state, pass, shader.fragment);
@@ -225,8 +230,9 @@ std::string stepDefine(const std::string& texture) { return upperCase(texture) +
 
 void readShaders(State& state)
 {
+    state.defines = commonDefines(state);
     for (Pass& pass : state.passes)
-        if (pass.active && pass.shader >= 0) readPass(state, pass);
+        if (pass.active && pass.shader >= 0 && !isFull(state)) readPass(state, pass);
     for (Pass& pass : state.passes)
         if (pass.active) readMask(state, pass);
 }

@@ -59,6 +59,7 @@ struct Pass {
 };
 
 struct Target {
+    int followed = -1;        ///< The target whose size its own follows; -1 is the output's.
     int writer = -1;          ///< The active pass that writes it.
     bool textured = false;    ///< It needs a texture.
     bool wanted = false;      ///< It would with params of other values.
@@ -77,6 +78,7 @@ struct State {
     std::vector<Shader> shaders = {};  ///< The description's.
     std::vector<Pass> passes = {};
     std::vector<Target> targets = {};
+    GlslDefines defines = {};              ///< Of every shader.
     std::vector<int> order = {};           ///< Active passes by data flow.
     std::vector<int> outputs = {};         ///< Those asked for.
     std::set<std::string> unwritten = {};  ///< Targets that no pass writes, as an error says.
@@ -86,6 +88,9 @@ struct State {
     /// False when the options switch the optimization off.
     bool applies(std::string_view optimization) const;
 };
+
+/// Whether so many errors were found that no further ones need be looked for.
+bool isFull(const State& state);
 
 /// Adds an error and returns it, for its notes. The reference is valid until the next one.
 Diagnostic& report(State& state, Code code, std::string message, const Named& at,

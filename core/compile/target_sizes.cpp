@@ -49,15 +49,11 @@ int bordered(int size, float scale)
     return static_cast<int>(std::min(size + 2.0 * std::max(0.0, border), kLargest));
 }
 
-// Sizes do not follow each other in a circle: decode sees to that.
-Extent followedExtent(const State& state, const SizeDesc& size)
+// What the size of a target is a share of.
+Extent followedExtent(const State& state, int target)
 {
-    const TargetDesc* followed = findNamed(state.description.targets, size.of.name);
-    const Extent extent = followed ? followedExtent(state, followed->size) : state.options.extent;
-    const ParamDesc* param = findNamed(state.description.params, size.scale_param.name);
-    const float scale = param ? param->value[0] : size.scale;
-    const auto factor = size.border ? bordered : scaled;
-    return {factor(extent.width, scale), factor(extent.height, scale)};
+    const int followed = state.targets[target].followed;
+    return followed >= 0 ? sizeOf(state, followed) : state.options.extent;
 }
 
 // The scale itself, or one at which the border ends where the device's textures do.
@@ -71,11 +67,10 @@ float fittingScale(int size, float scale, int limit)
 float fittingScale(const State& state, const ParamDesc& param)
 {
     float scale = param.value[0];
-    for (const TargetDesc& target : state.description.targets) {
-        if (!target.size.border || target.size.scale_param.name != param.name) continue;
-        const TargetDesc* followed = findNamed(state.description.targets, target.size.of.name);
-        const Extent inner =
-            followed ? followedExtent(state, followed->size) : state.options.extent;
+    for (std::size_t i = 0; i < state.targets.size(); ++i) {
+        const SizeDesc& desc = state.description.targets[i].size;
+        if (!desc.border || desc.scale_param.name != param.name) continue;
+        const Extent inner = followedExtent(state, static_cast<int>(i));
         for (const int size : {inner.width, inner.height})
             scale = std::min(scale, fittingScale(size, scale, state.caps.max_texture_size));
     }
@@ -164,17 +159,30 @@ std::optional<Description> fitBorders(const State& state, std::vector<Elided>& e
     return fitted;
 }
 
+// Sizes do not follow each other in a circle: decode sees to that.
 Extent sizeOf(const State& state, int target)
 {
-    return followedExtent(state, state.description.targets[target].size);
+    std::vector<int> chain;
+    for (; target >= 0; target = state.targets[target].followed) chain.push_back(target);
+    Extent extent = state.options.extent;
+    for (auto at = chain.rbegin(); at != chain.rend(); ++at) {
+        const SizeDesc& size = state.description.targets[*at].size;
+        const ParamDesc* param = size.scale_param.empty()
+                                     ? nullptr
+                                     : findNamed(state.description.params, size.scale_param.name);
+        const float scale = param ? param->value[0] : size.scale;
+        const auto factor = size.border ? bordered : scaled;
+        extent = {factor(extent.width, scale), factor(extent.height, scale)};
+    }
+    return extent;
 }
 
 float viewsOf(const State& state, int target)
 {
     const std::vector<TargetDesc>& targets = state.description.targets;
-    const TargetDesc* sized = &targets[target];
-    while (sized && !sized->size.border) sized = findNamed(targets, sized->size.of.name);
-    if (!sized) return 0.0f;
+    int sized = target;
+    while (sized >= 0 && !targets[sized].size.border) sized = state.targets[sized].followed;
+    if (sized < 0) return 0.0f;
     const Extent size = sizeOf(state, target);
     const Extent view = state.options.extent;
     return std::max(static_cast<float>(size.width) / static_cast<float>(view.width),
@@ -199,7 +207,7 @@ void chooseExtents(State& state)
         const TargetDesc& desc = state.description.targets[i];
         target.extent = sizeOf(state, static_cast<int>(i));
         if (!fits || !target.textured || within(target.extent, limit)) continue;
-        const int followed = indexOf(state.description.targets, desc.size.of.name);
+        const int followed = target.followed;
         const bool reported = followed >= 0 && state.targets[followed].textured &&
                               !within(sizeOf(state, followed), limit);
         if (reported) continue;

@@ -38,6 +38,23 @@ void noteDeleted(const Node& document, Description& description)
     }
 }
 
+Status checkLimits(const Node& document, const Limits& limits)
+{
+    const std::pair<const char*, int> most[] = {{"passes", limits.passes},
+                                                {"targets", limits.targets}};
+    Diagnostics errors;
+    for (const auto& [section, count] : most) {
+        const Node* entries = document.find(section);
+        if (!entries || static_cast<int>(entries->members.size()) <= count) continue;
+        errors.push_back({Code::over_limit,
+                          "the config has " + std::to_string(entries->members.size()) + " " +
+                              section + ", and at most " + std::to_string(count) + " may be",
+                          std::string("leave some out; the limit is Limits::") + section,
+                          entries->place, memberPointer("", section)});
+    }
+    return errors;
+}
+
 }  // namespace
 
 int componentCount(ParamType type)
@@ -53,9 +70,11 @@ GlslType glslTypeOf(ParamType type)
     return kTypes[static_cast<int>(type)];
 }
 
-Result<Description> decode(const Node& document, const SourceSet& sources)
+Result<Description> decode(const Node& document, const SourceSet& sources, const Limits& limits)
 {
+    if (const Status fits = checkLimits(document, limits); !fits) return fits.diagnostics();
     Description description;
+    description.limits = limits;
     description.place = document.place;
     noteDeleted(document, description);
     table::Report report(!document.origins.empty());
@@ -72,6 +91,7 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
     for (const FeatureDesc& each : description.features) applyLevel(description, each.name);
     description.unused = std::move(diagnostics);  // of what is left out
     append(description.unused, table::unusedNames(document, description, std::move(referred)));
+    cutShort(description.unused);
     return description;
 }
 

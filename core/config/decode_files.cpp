@@ -79,15 +79,30 @@ struct FileReader {
         while (!waiting.empty()) {
             const Found next = waiting.back();
             waiting.pop_back();
+            if (isFull(reference)) return;
             if (description.files.emplace(next.key, next.source).second)
                 follow(next, reference.pointer, waiting);
         }
+    }
+
+    // Whether no more files are read. Reported once.
+    bool isFull(const Reference& reference)
+    {
+        const int most = description.limits.files;
+        if (static_cast<int>(description.files.size()) < most) return false;
+        report
+            .at(reference, Code::over_limit,
+                "the config names more than " + std::to_string(most) + " GLSL files",
+                "merge some into one; the limit is Limits::files")
+            .mistake = "too many files";
+        return true;
     }
 
     // Adds what `file` includes to `waiting`. An interface's file is read by its own reference.
     void follow(const Found& file, const std::string& pointer, std::vector<Found>& waiting)
     {
         for (const GlslInclude& include : findIncludes(file.source)) {
+            if (report.full()) return report.count();
             const Reference at{include.name, include.place, pointer};
             if (include.interface) {
                 if (!findNamed(description.interfaces, at.name) && !takeDefault(at.name, waiting))

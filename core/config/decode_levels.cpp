@@ -6,10 +6,13 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <set>
 
 namespace crevice::table {
 
 namespace {
+
+constexpr std::size_t kMaxSettings = 16384;  // of one feature; each takes some hundred bytes
 
 using Level = FeatureDesc::Level;
 using Setting = FeatureDesc::Setting;
@@ -24,16 +27,15 @@ void checkWord(const FeatureDesc& feature, const Reference& word, Report& report
 
 // Whether the config has a param or feature of that name. Where that went with a module that was
 // swapped, this is a warning.
-bool isDeclared(const Description& description, const FeatureDesc& feature, const Setting& setting,
-                Report& report)
+bool isDeclared(const std::vector<std::string>& names, const FeatureDesc& feature,
+                const Setting& setting, Report& report)
 {
-    std::vector<std::string> names = namesOf(description.params);
-    for (const FeatureDesc& each : description.features) names.push_back(each.name);
     if (contains(names, setting.name)) return true;
+    if (report.full()) return report.count(), false;
     Reported& error = report.at(
         referenceTo(setting), Code::unknown_param,
         "feature '" + feature.name + "' sets '" + setting.name + "', and no file declares it",
-        suggestName(setting.name, std::move(names), "params and features"));
+        suggestName(setting.name, names, "params and features"));
     if (report.leavesOut(setting.place)) Report::leaveOut(error);
     return false;
 }
@@ -66,14 +68,31 @@ void readValue(const Node& document, const Description& description, const Featu
     setting.value[0] = static_cast<float>(index);
 }
 
+// Gives every word of the feature a level.
+void addLevels(FeatureDesc& feature)
+{
+    std::set<std::string> words;
+    for (const Level& each : feature.sets) words.insert(each.word.name);
+    for (const std::string& word : feature.values)
+        if (words.insert(word).second)
+            feature.sets.push_back({{word, feature.place, feature.pointer}, {}});
+}
+
+// Whether all levels together may set so much.
+bool fits(const FeatureDesc& feature, std::size_t names, Report& report)
+{
+    if (feature.sets.size() * names <= kMaxSettings) return true;
+    report.at(referenceTo(feature), Code::over_limit,
+              "feature '" + feature.name + "' has " + std::to_string(feature.sets.size()) +
+                  " words that set " + std::to_string(names) + " values, more than " +
+                  std::to_string(kMaxSettings) + " together",
+              "let it set less, or have fewer words");
+    return false;
+}
+
 // Gives every word of the feature a value of what one of them sets.
 void complete(const Description& description, FeatureDesc& feature, const Setting& first)
 {
-    for (const std::string& word : feature.values) {
-        const auto is_word = [&](const Level& each) { return each.word.name == word; };
-        if (std::none_of(feature.sets.begin(), feature.sets.end(), is_word))
-            feature.sets.push_back({{word, feature.place, feature.pointer}, {}});
-    }
     Setting initial = first;
     if (const ParamDesc* param = findNamed(description.params, first.name))
         initial.value = param->value;
@@ -88,6 +107,8 @@ void complete(const Description& description, FeatureDesc& feature, const Settin
 void readLevels(const Node& document, Description& description, Report& report)
 {
     std::map<std::string, std::string> setters;  // features by what they set
+    std::vector<std::string> declared = namesOf(description.params);
+    for (const FeatureDesc& each : description.features) declared.push_back(each.name);
     for (FeatureDesc& feature : description.features) {
         std::map<std::string, Setting> names;
         for (Level& level : feature.sets) {
@@ -95,7 +116,7 @@ void readLevels(const Node& document, Description& description, Report& report)
             auto& all = level.settings;
             all.erase(std::remove_if(all.begin(), all.end(),
                                      [&](const Setting& each) {
-                                         return !isDeclared(description, feature, each, report);
+                                         return !isDeclared(declared, feature, each, report);
                                      }),
                       all.end());
             for (Setting& each : all) {
@@ -103,6 +124,9 @@ void readLevels(const Node& document, Description& description, Report& report)
                 names.emplace(each.name, each);
             }
         }
+        if (names.empty()) continue;
+        addLevels(feature);
+        if (!fits(feature, names.size(), report)) continue;
         for (const auto& [name, first] : names) {
             complete(description, feature, first);
             const auto [setter, fresh] = setters.emplace(name, feature.name);

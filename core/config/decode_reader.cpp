@@ -42,6 +42,7 @@ void checkName(Report& report, const Cursor& cursor)
 
 void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry)
 {
+    if (report.full()) return report.count();
     const bool plural = section.key.back() == 's';
     const std::string what = plural ? section.key.substr(0, section.key.size() - 1) : section.key;
     Reported& error =
@@ -95,6 +96,10 @@ bool Reader::reportUnknown()
         keys_.insert(keys_.end(), {"extends", "needs", "replaces", "variants"});
     for (const Member& member : cursor_.node.members) {
         if (contains(keys_, member.key) || isExtension(member.key)) continue;
+        if (report_.full()) {
+            report_.count();
+            continue;
+        }
         std::string help = suggestName(member.key, keys_, "keys");
         if (!startsWith(help, "did you mean")) help += "; a key of your own begins with 'x-'";
         reported = true;

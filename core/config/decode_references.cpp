@@ -116,6 +116,7 @@ void Checker::expect(const Reference& reference, const std::string& who, const N
 {
     named_.insert(reference.name);
     if (known(reference, names)) return;
+    if (report_.full()) return report_.count();
     const bool target = names.code == Code::target_missing;
     const std::string makers =
         target ? modulesThatDeclare(sources_, "targets", reference.name) : "";

@@ -83,7 +83,11 @@ Reported& Report::at(const Reference& reference, Code code, std::string message,
 
 Reported& Report::add(Diagnostic diagnostic)
 {
-    if (errors_.size() == kMaxErrors) errors_.pop_back();
+    if (errors_.size() == kMaxDiagnostics) {
+        if (errors_.back().severity == Severity::error) dropped_ = std::move(errors_.back());
+        errors_.pop_back();
+        ++more_;
+    }
     errors_.push_back({std::move(diagnostic)});
     return errors_.back();
 }
@@ -102,6 +106,8 @@ bool Report::errorWithin(std::string_view pointer) const
 
 Diagnostics Report::take(const Node& document)
 {
+    if (dropped_) errors_.push_back(*std::move(dropped_));
+    dropped_.reset();
     using Ordered = std::pair<std::vector<std::size_t>, Reported>;
     std::vector<Ordered> ordered;
     for (Reported& each : errors_)
@@ -121,6 +127,7 @@ Diagnostics Report::take(const Node& document)
         if (error.cause.source) blame(error, error.cause, "it is named here");
         diagnostics.push_back(std::move(error));
     }
+    if (more_ > 0) diagnostics.back().notes.push_back(moreNote(std::size_t(more_)));
     return diagnostics;
 }
 

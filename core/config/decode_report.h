@@ -4,6 +4,8 @@
 
 #include <crevice/config.h>
 
+#include <optional>
+
 namespace crevice::table {
 
 /// A value in the document: where it is and what to call it.
@@ -19,10 +21,6 @@ struct Cursor {
     Cursor item(std::size_t index) const;
 };
 
-/// Most errors reported for one document; nobody reads more, and each is searched for what it
-/// explains.
-constexpr std::size_t kMaxErrors = 1000;
-
 /// An error, and what it has to do with others.
 struct Reported : Diagnostic {
     /// Of those with the same mistake the first in the document is reported, and the others become
@@ -31,8 +29,8 @@ struct Reported : Diagnostic {
     Place cause = {};  ///< What it comes of: where it is reported then.
 };
 
-/// Errors in any order, to be put into that of the document. Of those past kMaxErrors the last
-/// stays.
+/// Errors in any order, to be put into that of the document. Of those past kMaxDiagnostics
+/// the last stays, and an error where there was one.
 class Report {
 public:
     /// A variant, a swapped module or a pointer's override was laid over the config where
@@ -55,6 +53,10 @@ public:
     Reported& at(const Reference& reference, Code code, std::string message, std::string help = {});
     Reported& add(Diagnostic diagnostic);
 
+    /// Whether kMaxDiagnostics were reported; what is found then need only be counted.
+    bool full() const { return errors_.size() == kMaxDiagnostics; }
+    void count() { ++more_; }
+
     /// The last error. Requires one.
     Reported& last() { return errors_.back(); }
 
@@ -68,6 +70,8 @@ public:
 private:
     bool patched_;
     std::vector<Reported> errors_;
+    std::optional<Reported> dropped_;  // an error past those
+    int more_ = 0;                     // so many were dropped
 };
 
 /// The node behind an RFC 6901 pointer, and the position of each of its ancestors and itself among

@@ -101,6 +101,7 @@ struct UseChecker {
                 others.push_back(each.name);
         }
         for (const T* each : unused) {
+            if (found.size() == kMaxDiagnostics) return;
             found.push_back(
                 {Code::unused_name,
                  what + " '" + each->name + "' is used by nothing: " + readers + " names it",

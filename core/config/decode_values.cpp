@@ -53,6 +53,8 @@ bool forEachItem(Report& report, const Cursor& cursor, F each)
 {
     if (cursor.node.kind != Node::Kind::array) return each(cursor);
     if (cursor.node.items.empty()) return wrongLength(report, cursor, "at least one entry");
+    if (cursor.node.items.size() > kMaxMembers)
+        return wrongLength(report, cursor, "at most " + std::to_string(kMaxMembers));
     bool good = true;
     for (std::size_t i = 0; i < cursor.node.items.size(); ++i) good &= each(cursor.item(i));
     return good;

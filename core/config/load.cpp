@@ -128,22 +128,24 @@ public:
         : sources_(sources),
           request_(request)
     {
-        readSwaps();
     }
 
-    void load(const SourceRef& found, const Place& asked, const std::string& pointer);
-    void loadAdded();
+    Removal run();
     LoadedFile* find(const std::string& identity);
-    void checkClashes();
-    void checkSwaps();
 
     std::vector<LoadedFile> files;  // in the order of merging
+    std::string config;             // the identity of the config itself
     Diagnostics errors;
 
 private:
+    void load(const SourceRef& found, const Place& asked, const std::string& pointer);
+    void loadAdded();
+    void checkClashes();
+    void checkSwaps();
     void readSwaps();
     const Node& swapped(const Node& entry);
     bool mayOpen(const LoadedFile& file);
+    bool isFull(const LoadedFile& file);
     Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const;
     void loadEntry(const Node& entry, const std::string& pointer);
     void checkFormat(const Node& document);
@@ -151,9 +153,10 @@ private:
     std::vector<Member> takeVariants(Node& document);
 
     const SourceSet& sources_;
-    const LoadRequest& request_;
+    const LoadRequest request_;
     std::vector<LoadedFile> open_;  // from the config to the file being read
     int named_ = 0;                 // so many files, the same ones again included
+    bool full_ = false;             // as `limits` say
     std::vector<Override> swaps_;
     std::vector<std::string> extends_;  // all that configs name
 };
@@ -166,6 +169,26 @@ std::string identityOf(const SourceText& source)
     std::error_code error;
     const fs::path canonical = fs::weakly_canonical(source.name, error);
     return error ? source.name : canonical.string();
+}
+
+// Reads the config and all that it extends. What it returns was left out.
+Removal FileLoader::run()
+{
+    readSwaps();
+    const Result<SourceRef> found = findConfig(sources_, request_);
+    if (!found) {
+        errors = found.diagnostics();
+        return {};
+    }
+    config = identityOf(**found);
+    load(*found, {}, "");
+    loadAdded();
+    if (errors.empty()) checkSwaps();
+    Removal left_out;
+    if (errors.empty()) left_out = leaveOutReplaced(files);
+    if (errors.empty()) checkClashes();
+    cutShort(errors);
+    return left_out;
 }
 
 // The file if it was read, else null.
@@ -181,7 +204,7 @@ void FileLoader::load(const SourceRef& found, const Place& asked, const std::str
     LoadedFile file{{found->name, asked, pointer}, identityOf(*found)};
     LoadedFile* const done = find(file.identity);
     if (done) done->named = named_++;
-    if (done || !mayOpen(file)) return;
+    if (done || !mayOpen(file) || isFull(file)) return;
     file.named = named_++;
     SourceText text = *found;
     if (asked.source) text.asked = std::make_shared<const Place>(asked);
@@ -318,6 +341,19 @@ bool FileLoader::mayOpen(const LoadedFile& file)
     return false;
 }
 
+// Whether no more files are read. The first that is one too many is reported.
+bool FileLoader::isFull(const LoadedFile& file)
+{
+    const int most = request_.limits.files;
+    if (static_cast<int>(files.size() + open_.size()) < most) return false;
+    if (!full_)
+        errors.push_back(
+            {Code::over_limit, "the config extends more than " + std::to_string(most) + " files",
+             "merge some into one; the limit is Limits::files", file.place, file.pointer});
+    full_ = true;
+    return true;
+}
+
 Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string& pointer) const
 {
     const SourceText& from = *entry.place.source;
@@ -354,6 +390,7 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
 
 void FileLoader::loadEntry(const Node& entry, const std::string& pointer)
 {
+    if (errors.size() >= kMaxDiagnostics) return;
     const Result<SourceRef> found = findExtended(entry, pointer);
     if (!found) return append(errors, found.diagnostics());
     load(*found, entry.place, pointer);
@@ -448,29 +485,16 @@ void keepOwnName(Node& document, const Node& own)
             if (Node* merged = document.find(key)) *merged = *value;
 }
 
-}  // namespace
-
-Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& asked)
+// What the files make together, as the request says.
+Result<Node> mergeFiles(FileLoader& loader, const LoadRequest& request, const Removal& left_out)
 {
-    const LoadRequest request = spreadOut(asked);
-    const Result<SourceRef> config = findConfig(sources, request);
-    if (!config) return config.diagnostics();
-    FileLoader loader(sources, request);
-    loader.load(*config, {}, "");
-    loader.loadAdded();
-    if (loader.errors.empty()) loader.checkSwaps();
-    Removal left_out;
-    if (loader.errors.empty()) left_out = leaveOutReplaced(loader.files);
-    if (loader.errors.empty()) loader.checkClashes();
-    if (!loader.errors.empty())
-        return loader.errors;  // merging what is not whole adds false errors
-
+    if (!loader.errors.empty()) return loader.errors;  // merging what is not whole adds false ones
     Node document;
     document.kind = Node::Kind::object;
     Diagnostics errors;
     for (const LoadedFile& file : loader.files) mergePatch(document, file.body, errors);
     noteLeftOut(document, left_out);
-    const Node& own = loader.find(identityOf(**config))->body;
+    const Node& own = loader.find(loader.config)->body;
     document.place = own.place;
     keepOwnName(document, own);
     const auto changes_structure = [](const std::string& text) {
@@ -484,17 +508,40 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& asked)
         if (!swaps(text) && !adds(text))
             append(errors, applyOverride(document, text, rootsOf(request)).diagnostics());
     checkTaken(document, errors);
+    cutShort(errors);
     if (!errors.empty()) return errors;
     return document;
 }
 
-std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& asked)
+}  // namespace
+
+Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& asked)
 {
     const LoadRequest request = spreadOut(asked);
-    const Result<SourceRef> source = findConfig(sources, request);
-    if (!source) return {};
     FileLoader loader(sources, request);
-    loader.load(*source, {}, "");
+    const Removal left_out = loader.run();
+    return mergeFiles(loader, request, left_out);
+}
+
+void loadVariants(const SourceSet& sources, const LoadRequest& asked,
+                  const std::function<void(const std::string& variant, Result<Node>)>& each)
+{
+    LoadRequest request = spreadOut(asked);
+    request.variant.clear();
+    FileLoader loader(sources, request);
+    const Removal left_out = loader.run();
+    each("", mergeFiles(loader, request, left_out));
+    if (!loader.errors.empty()) return;
+    for (const std::string& variant : variantsOf(loader.files)) {
+        request.variant = variant;
+        each(variant, mergeFiles(loader, request, left_out));
+    }
+}
+
+std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& asked)
+{
+    FileLoader loader(sources, spreadOut({asked.config, {}, {}, asked.roots, asked.limits}));
+    loader.run();
     return variantsOf(loader.files);
 }
 

@@ -12,6 +12,9 @@ namespace {
 /// Longest array that is believed; no device has room for more uniforms.
 constexpr std::int64_t kMaxArray = 65536;
 
+/// Most uniforms and outputs of a stage.
+constexpr std::size_t kMaxDeclared = 1024;
+
 constexpr std::string_view kQualifiers[] = {
     "uniform",   "in",        "out",    "const",  "flat",     "smooth",   "centroid",
     "invariant", "precise",   "sample", "patch",  "highp",    "mediump",  "lowp",
@@ -41,7 +44,7 @@ public:
 
     void run()
     {
-        while (at_ != end_) {
+        while (at_ != end_ && unit_.errors.size() < kMaxDiagnostics) {
             const Qualifiers qualifiers = readQualifiers();
             if (qualifiers.uniform || qualifiers.output) readDeclaration(qualifiers);
             skipStatement();
@@ -121,6 +124,12 @@ void Scanner::readDeclaration(const Qualifiers& qualifiers)
     common.type = glslTypeFromName(type.text);
     readArray(common);
     while (at_ != end_ && at_->kind == GlslToken::Kind::identifier) {
+        if (stage_.uniforms.size() + stage_.outputs.size() == kMaxDeclared) {
+            fail("found more than " + std::to_string(kMaxDeclared) + " uniforms and outputs", *at_,
+                 "make arrays of them; no device has room for so many");
+            at_ = end_;
+            return;
+        }
         GlslUniform variable = common;
         variable.name = at_->text;
         variable.place = placeOf(*at_++, unit_.files);

@@ -8,43 +8,50 @@ namespace crevice {
 
 void GlslMacros::define(std::string_view name, GlslTokens body, bool function_like)
 {
-    macros_[std::string(name)] = {std::move(body), function_like, false};
+    macros_[std::string(name)] = Macro{std::move(body), function_like, false};
 }
 
-void GlslMacros::undefine(std::string_view name)
+void GlslMacros::undefine(std::string_view name) { macros_[std::string(name)].reset(); }
+
+GlslMacros::Macro* GlslMacros::find(std::string_view name)
 {
     const auto found = macros_.find(name);
-    if (found != macros_.end()) macros_.erase(found);
+    if (found != macros_.end()) return found->second ? &*found->second : nullptr;
+    const auto value = offered_.find(std::string(name));
+    std::optional<Macro>& macro = macros_[std::string(name)];
+    if (value == offered_.end()) return nullptr;
+    macro.emplace();
+    tokenize(values_.emplace_back(onOneLine(value->second)), -1, 0, macro->body);
+    return &*macro;
 }
 
-bool GlslMacros::defined(std::string_view name) const
-{
-    return macros_.find(name) != macros_.end();
-}
-
-std::vector<std::string> GlslMacros::names() const
+std::vector<std::string> GlslMacros::names()
 {
     std::vector<std::string> names;
-    for (const auto& macro : macros_) names.push_back(macro.first);
+    for (const auto& offered : offered_)
+        if (defined(offered.first)) names.push_back(offered.first);
+    for (const auto& [name, macro] : macros_)
+        if (macro && offered_.count(name) == 0) names.push_back(name);
     return names;
 }
 
 bool GlslMacros::expand(const GlslToken& token, GlslTokens& out)
 {
-    const auto found = macros_.find(token.text);
-    if (found == macros_.end() || found->second.function_like || found->second.open) {
+    const bool name = token.kind == GlslToken::Kind::identifier;
+    Macro* const found = name ? find(token.text) : nullptr;
+    if (!found || found->function_like || found->open) {
         out.push_back(token);
         return true;
     }
-    found->second.open = true;
+    found->open = true;
     bool ok = ++depth_ <= kMaxMacroDepth;
-    for (const GlslToken& part : found->second.body) {
+    for (const GlslToken& part : found->body) {
         GlslToken here = token;
         here.kind = part.kind;
         here.text = part.text;
         ok = ok && ++steps_ <= kMaxMacroSteps && expand(here, out);
     }
-    found->second.open = false;
+    found->open = false;
     --depth_;
     return ok;
 }
@@ -211,6 +218,14 @@ private:
 };
 
 }  // namespace
+
+std::string onOneLine(const std::string& value)
+{
+    std::string text = blankComments(value).text;
+    for (char& c : text)
+        if (c == '\n' || c == '\r') c = ' ';
+    return text;
+}
 
 std::optional<std::int64_t> evaluate(const GlslToken* begin, const GlslToken* end)
 {

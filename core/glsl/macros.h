@@ -5,6 +5,7 @@
 #include "core/glsl/lexer.h"
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,13 +22,17 @@ constexpr int kMaxMacroDepth = 256;
 /// The macros that are defined at one point of the text.
 class GlslMacros {
 public:
+    /// From the start those of `offered` are, which must outlive this; each is read when it is
+    /// first asked for.
+    explicit GlslMacros(const std::map<std::string, std::string>& offered) : offered_(offered) {}
+
     /// A function-like macro counts as defined and is not expanded.
     void define(std::string_view name, GlslTokens body, bool function_like = false);
     void undefine(std::string_view name);
-    bool defined(std::string_view name) const;
+    bool defined(std::string_view name) { return find(name) != nullptr; }
 
-    /// All names that are defined, sorted.
-    std::vector<std::string> names() const;
+    /// All names that are defined.
+    std::vector<std::string> names();
 
     /// Appends `token`, or what it stands for, at the place of `token`. False when a limit is
     /// reached.
@@ -44,10 +49,17 @@ private:
         bool open = false;  ///< Being expanded: its own name in it stays as it is.
     };
 
-    std::map<std::string, Macro, std::less<>> macros_;
+    Macro* find(std::string_view name);
+
+    const std::map<std::string, std::string>& offered_;
+    std::map<std::string, std::optional<Macro>, std::less<>> macros_;  ///< None: it is undefined.
+    std::deque<std::string> values_;  ///< What tokens of those offered point into.
     int steps_ = 0;
     int depth_ = 0;
 };
+
+/// A value on one line and without comments, so that a #define holds all of it.
+std::string onOneLine(const std::string& value);
 
 /// The value of an integer expression of ! ~ * / % + - << >> < <= > >= == != & ^ | && || and
 /// parentheses. Empty when it cannot be read, or has a name or divides by zero where that matters.

@@ -10,6 +10,9 @@ namespace crevice {
 
 namespace {
 
+/// Files that include files that include files ...: keeps the recursion off the stack's end.
+constexpr std::size_t kMaxIncludeDepth = 64;
+
 /// So much of a line is quoted in a message.
 constexpr std::size_t kShownBytes = 40;
 
@@ -70,6 +73,7 @@ private:
     void fail(Code code, std::string message, const Place& place, std::string help)
     {
         unit_.errors.push_back({code, std::move(message), std::move(help), place});
+        stopped_ = stopped_ || unit_.errors.size() == kMaxDiagnostics;
     }
 
     void fail(std::string message, const GlslToken& token, std::string help = {})
@@ -259,6 +263,12 @@ void Preprocessor::readIncludeLine(const GlslLine& line)
         unit_.text.append(std::size_t(line.count), '\n');
         return;
     }
+    if (open_.size() == kMaxIncludeDepth) {
+        stopped_ = true;
+        return fail(Code::include_cycle,
+                    "found #include more than " + std::to_string(kMaxIncludeDepth) + " deep",
+                    include.place, "let the shader include what it needs itself");
+    }
     readFile(path);
     writeLine(line.line + line.count);
 }
@@ -316,15 +326,13 @@ void Preprocessor::spentSteps(const GlslToken& token)
 
 void preprocess(const std::map<std::string, SourceRef>& files,
                 const std::map<std::string, std::string>& interfaces, const std::string& path,
-                const GlslDefines& defines, GlslUnit& unit)
+                GlslUnit& unit)
 {
-    static const GlslDefines kBuiltIn = {{"GL_ES", "1"}, {"GL_FRAGMENT_PRECISION_HIGH", "1"}};
-    for (const GlslDefines* list : {&kBuiltIn, &defines})
-        for (const auto& [name, value] : *list) {
-            GlslTokens body;
-            tokenize(value, -1, 0, body);
-            unit.macros.define(name, std::move(body));
-        }
+    for (const char* name : {"GL_ES", "GL_FRAGMENT_PRECISION_HIGH"}) {
+        GlslTokens one;
+        tokenize("1", -1, 0, one);
+        unit.macros.define(name, std::move(one));
+    }
     if (files.count(path) == 0) {
         unit.errors.push_back({Code::file_missing, "there is no shader file '" + path + "'"});
         return;

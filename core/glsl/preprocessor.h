@@ -21,6 +21,9 @@ constexpr int kLinesPerFile = 100000;
 
 /// A stage after preprocessing.
 struct GlslUnit {
+    /// Before the first line, `defines` are, which must outlive it.
+    explicit GlslUnit(const GlslDefines& defines) : macros(defines) {}
+
     std::string version;           ///< "300 es" or "310 es".
     std::string text;              ///< All that follows the #version line, without comments.
     std::vector<SourceRef> files;  ///< By source-string number.
@@ -31,11 +34,11 @@ struct GlslUnit {
     std::deque<std::string> blanked;  ///< What tokens and names point into; a deque never moves it.
 };
 
-/// Fills `unit` from the stage that begins in `files.at(path)`; `defines` must outlive it. The
-/// errors are those of assembleStage.
+/// Fills `unit` from the stage that begins in `files.at(path)`. The errors are those of
+/// assembleStage.
 void preprocess(const std::map<std::string, SourceRef>& files,
                 const std::map<std::string, std::string>& interfaces, const std::string& path,
-                const GlslDefines& defines, GlslUnit& unit);
+                GlslUnit& unit);
 
 /// Where a token stands; nowhere when it comes from no file.
 Place placeOf(const GlslToken& token, const std::vector<SourceRef>& files);

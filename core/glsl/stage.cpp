@@ -28,19 +28,6 @@ constexpr struct {
     {GlslType::sampler2d_ms, "sampler2DMS"},
 };
 
-/// Values on one line and without comments, so that a #define holds all of each.
-GlslDefines cleaned(const GlslDefines& defines)
-{
-    GlslDefines clean;
-    for (const auto& [name, value] : defines) {
-        std::string text = blankComments(value).text;
-        for (char& c : text)
-            if (c == '\n' || c == '\r') c = ' ';
-        clean[name] = std::move(text);
-    }
-    return clean;
-}
-
 /// The defines that the text mentions, or that the values of such defines mention.
 std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit& unit)
 {
@@ -49,7 +36,8 @@ std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit&
         const auto found = defines.find(std::string(name));
         if (found == defines.end() || !used.insert(found->first).second) return;
         GlslTokens tokens;
-        tokenize(found->second, -1, 0, tokens);
+        const std::string value = onOneLine(found->second);
+        tokenize(value, -1, 0, tokens);
         for (const GlslToken& token : tokens) self(self, token.text);
     };
     for (const std::string_view name : unit.mentioned) reach(reach, name);
@@ -92,16 +80,15 @@ Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
                                 const std::map<std::string, std::string>& interfaces,
                                 const std::string& path, const GlslDefines& defines)
 {
-    const GlslDefines clean = cleaned(defines);
-    GlslUnit unit;
+    GlslUnit unit{defines};
     GlslStage stage;
-    preprocess(files, interfaces, path, clean, unit);
+    preprocess(files, interfaces, path, unit);
     if (unit.errors.empty()) scanDeclarations(unit, stage);
     if (!unit.errors.empty()) return std::move(unit.errors);
-    stage.defines_used = usedDefines(clean, unit);
+    stage.defines_used = usedDefines(defines, unit);
     stage.text = "#version " + unit.version + "\n";
     for (const std::string& name : stage.defines_used)
-        stage.text += "#define " + name + " " + clean.at(name) + "\n";
+        stage.text += "#define " + name + " " + onOneLine(defines.at(name)) + "\n";
     stage.text += unit.text;
     stage.files = std::move(unit.files);
     return stage;

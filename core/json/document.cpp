@@ -137,6 +137,10 @@ bool TreeBuilder::string(std::string& value)
 
 bool TreeBuilder::key(std::string& name)
 {
+    if (open_.back()->members.size() == kMaxMembers) {
+        errors_.push_back(tooManyMembers(take(stringLength(text_, at_)), pointer()));
+        return false;
+    }
     open_.back()->members.push_back({std::move(name), take(stringLength(text_, at_)), {}});
     after_ = SyntaxStop::After::key;
     return true;
@@ -223,6 +227,7 @@ Result<Node> TreeBuilder::finish(bool whole)
     std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
     });
+    cutShort(errors_);
     return std::move(errors_);
 }
 

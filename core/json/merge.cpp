@@ -72,7 +72,10 @@ void mergeMember(Node& base, const Member& patch, const std::string& pointer, st
     const auto found =
         std::find_if(members.begin(), end, [&](const Member& m) { return m.key == patch.key; });
     const bool deletes = patch.value.kind == Node::Kind::null;
-    if (found == end && deletes) {
+    if (errors.size() > kMaxDiagnostics) return;  // each costs a search
+    if (found == end && !deletes && members.size() == kMaxMembers) {
+        errors.push_back(tooManyMembers(patch.key_place, pointer));
+    } else if (found == end && deletes) {
         errors.push_back(missingKey(base, searched, patch, pointer));
     } else if (found == end) {
         members.push_back({patch.key, patch.key_place, fresh(patch.value, pointer, errors)});
@@ -119,6 +122,15 @@ void merge(Node& base, const Node& patch, const std::string& pointer, Diagnostic
 }
 
 }  // namespace
+
+Diagnostic tooManyMembers(const Place& place, std::string pointer)
+{
+    return {
+        Code::too_many_members,
+        "found more than the " + std::to_string(kMaxMembers) + " members that an object may have",
+        "leave some out; a list below an \"x-...\" key may be of any length", place,
+        std::move(pointer)};
+}
 
 Node objectOf(std::string_view key, const Place& place, Node value)
 {

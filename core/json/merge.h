@@ -12,12 +12,15 @@ Node objectOf(std::string_view key, const Place& place, Node value);
 /// A string.
 Node textNode(std::string text, const Place& place);
 
+/// CV1009: an object has more than kMaxMembers, which are too many from `place` on.
+Diagnostic tooManyMembers(const Place& place, std::string pointer);
+
 /// Applies `patch` to `base`: objects merge key by key, null deletes, anything else replaces.
 /// A replaced value's places go into `origins` of the new one.
 ///
 /// Errors: CV1101 (null for a key that is not there) and CV1102 (an object replaced by something
-/// else, or the reverse), each at the patch's place with a note for the base's. They are appended
-/// to `diagnostics`; the merge goes on so that every error is found.
+/// else, or the reverse), each at the patch's place with a note for the base's; CV1009. They are
+/// appended to `diagnostics`; the merge goes on so that every error is found.
 void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics);
 
 /// The smallest patch that makes `now` of `base`; it has no member where they are the same.

@@ -129,11 +129,12 @@ Effect& Effect::operator=(Effect&&) noexcept = default;
 Effect::~Effect() = default;
 
 Result<Effect> Effect::create(Device& device, std::string_view config, Extent size,
-                              std::vector<std::string> outputs)
+                              std::vector<std::string> outputs, const Limits* limits)
 {
-    const Result<Node> document = loadConfig(shippedSources(), {std::string(config)});
+    const LoadRequest request{std::string(config), {}, {}, {}, limits ? *limits : Limits()};
+    const Result<Node> document = loadConfig(shippedSources(), request);
     if (!document) return document.diagnostics();
-    Result<Description> description = decode(*document, shippedSources());
+    Result<Description> description = decode(*document, shippedSources(), request.limits);
     if (!description) return description.diagnostics();
     auto state = std::make_unique<State>(device);
     auto renderer = Renderer::create(device, std::move(*description),

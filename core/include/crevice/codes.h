@@ -14,24 +14,26 @@ enum class Code : int {
     internal = 1,  ///< A fault in crevice itself.
 
     // reading
-    syntax = 1001,           ///< Not JSON.
-    duplicate_key = 1002,    ///< The same key twice in one object.
-    number_range = 1003,     ///< A number that no double holds, such as 1e999.
-    bad_utf8 = 1004,         ///< Text that is not UTF-8, or that begins with a byte order mark.
-    too_deep = 1005,         ///< More than 64 levels.
-    too_large = 1006,        ///< More than 1 MiB.
-    not_an_object = 1007,    ///< A file whose top value is not an object.
-    empty_text = 1008,       ///< Nothing but white space and comments.
-    merge_missing = 1101,    ///< A patch deletes what is not there.
-    merge_kind = 1102,       ///< A patch turns an object into something else, or the reverse.
-    module_missing = 1201,   ///< `extends` or the command line names what does not exist.
-    module_cycle = 1202,     ///< `extends` leads back to itself.
-    module_depth = 1203,     ///< `extends` is more than 8 deep.
-    module_escape = 1204,    ///< A path out of the modules, or of the folders that may be read.
-    variant_missing = 1205,  ///< No such variant.
-    override_syntax = 1206,  ///< An override that is not name=value.
-    format_version = 1207,   ///< `format` is missing or newer than this library.
-    module_clash = 1208,     ///< Two modules in `extends` that provide the same part.
+    syntax = 1001,            ///< Not JSON.
+    duplicate_key = 1002,     ///< The same key twice in one object.
+    number_range = 1003,      ///< A number that no double holds, such as 1e999.
+    bad_utf8 = 1004,          ///< Text that is not UTF-8, or that begins with a byte order mark.
+    too_deep = 1005,          ///< More than 64 levels.
+    too_large = 1006,         ///< More than 1 MiB.
+    not_an_object = 1007,     ///< A file whose top value is not an object.
+    empty_text = 1008,        ///< Nothing but white space and comments.
+    too_many_members = 1009,  ///< An object with more than 1024 members.
+    merge_missing = 1101,     ///< A patch deletes what is not there.
+    merge_kind = 1102,        ///< A patch turns an object into something else, or the reverse.
+    module_missing = 1201,    ///< `extends` or the command line names what does not exist.
+    module_cycle = 1202,      ///< `extends` leads back to itself.
+    module_depth = 1203,      ///< `extends` is more than 8 deep.
+    module_escape = 1204,     ///< A path out of the modules, or of the folders that may be read.
+    variant_missing = 1205,   ///< No such variant.
+    override_syntax = 1206,   ///< An override that is not name=value.
+    format_version = 1207,    ///< `format` is missing or newer than this library.
+    module_clash = 1208,      ///< Two modules in `extends` that provide the same part.
+    over_limit = 1209,        ///< More files, passes, targets or bytes than `Limits` allow.
 
     // references and graph
     shader_missing = 2101,      ///< A pass names a shader that is not declared.
@@ -77,7 +79,7 @@ enum class Code : int {
     uniform_unbound = 5003,  ///< GLSL declares a uniform that nothing in the config supplies.
     uniform_type = 5004,     ///< GLSL and the config disagree about a type or an array length.
     include_missing = 5005,  ///< An #include names what does not exist.
-    include_cycle = 5006,    ///< An #include leads back to itself.
+    include_cycle = 5006,    ///< An #include leads back to itself, or is more than 64 deep.
     input_unused = 5007,     ///< A pass renames an input that its shader does not declare.
     output_mismatch = 5008,  ///< A fragment shader's outputs are not the pass's colour targets.
     preprocessor = 5009,     ///< A directive that cannot be read.

@@ -12,6 +12,7 @@
 #include <crevice/glsl_stage.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -214,8 +215,19 @@ struct ViewDesc : Named {
     float offset = 0.0f;
 };
 
+/// What a config may ask for. What asks for more is refused (CV1209), so that no stranger's file
+/// takes a machine's memory.
+struct Limits {
+    int files = 256;    ///< JSON files, and GLSL files.
+    int passes = 256;   ///< Whether they run or not.
+    int targets = 256;  ///< Whether they are used or not.
+    /// Of all textures that the renderer makes at the size asked for, as textureBytes counts them.
+    double bytes = 2147483648.0;
+};
+
 struct Description : Named {
     int format = 1;
+    Limits limits;     ///< As given to `decode`; `compile` holds to `bytes`.
     std::string text;  ///< JSON "description".
     std::vector<ParamDesc> params;
     std::vector<FeatureDesc> features;
@@ -244,8 +256,10 @@ struct Description : Named {
 /// `sources`. Paths that begin with "./" are relative to the file that wrote them.
 ///
 /// Errors: CV3xxx and CV4xxx for the keys and values, CV2101 to CV2107 for names that lead nowhere,
-/// CV2104 and CV5005 for GLSL files; all of them, in the order of the document.
-Result<Description> decode(const Node& document, const SourceSet& sources);
+/// CV2104 and CV5005 for GLSL files; all of them, in the order of the document. CV1209 where it has
+/// more than `limits` allow.
+Result<Description> decode(const Node& document, const SourceSet& sources,
+                           const Limits& limits = {});
 
 constexpr int kMaxExtendsDepth = 8;
 
@@ -264,6 +278,7 @@ struct LoadRequest {
     /// an override's value those below the current one. A folder that does not exist allows
     /// nothing.
     std::vector<std::string> roots = {};
+    Limits limits = {};  ///< Of which `files` counts.
 };
 
 /// Finds the config and everything that it extends, and merges them: modules from left to right,
@@ -280,12 +295,17 @@ struct LoadRequest {
 /// A file that `needs` a word is left out where another that `replaces` the word is named later,
 /// as are values that the files before that one give to what only left out files declare.
 ///
-/// Errors: CV1xxx of any file, CV1201 to CV1208, CV3002, CV4004 for an override of nothing.
+/// Errors: CV1xxx of any file, CV1201 to CV1209, CV3002, CV4004 for an override of nothing.
 Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request);
 
 /// The names of the variants that a config and all that it extends declare, sorted; none where it
-/// cannot be read. Of the request, `config` and `roots` count.
+/// cannot be read. Of the request, `config`, `roots` and `limits` count.
 std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& request);
+
+/// The config under the variant "", then under each variant that it and all that it extends
+/// declare, sorted by name. Its files are read once. Of the request, `variant` does not count.
+void loadVariants(const SourceSet& sources, const LoadRequest& request,
+                  const std::function<void(const std::string& variant, Result<Node>)>& each);
 
 /// The names of the configs in `sources`, sorted.
 std::vector<std::string> configNames(const SourceSet& sources);

@@ -42,6 +42,16 @@ using Diagnostics = std::vector<Diagnostic>;
 /// True when any of them is an error and not a warning.
 bool hasErrors(const Diagnostics& diagnostics);
 
+/// As many of one run are reported; nobody reads more.
+constexpr std::size_t kMaxDiagnostics = 100;
+
+/// Cuts a list to kMaxDiagnostics, errors before warnings; a note of the last says how many more
+/// there were.
+void cutShort(Diagnostics& diagnostics);
+
+/// That note.
+Note moreNote(std::size_t more);
+
 /// Appends one list to another.
 void append(Diagnostics& all, const Diagnostics& more);
 
@@ -64,9 +74,9 @@ std::string toText(const Diagnostics& diagnostics);
 /// notes and help, for programs.
 std::string toJson(const Diagnostics& diagnostics);
 
-/// A help line for a name that is not among `names`: the nearest one, if any is near, then all of
-/// them under the heading `what` ("targets").
-std::string suggestName(std::string_view name, std::vector<std::string> names,
+/// A help line for a name that is not among `names`: the nearest one, if any is near, then the
+/// first of them in the alphabet under the heading `what` ("targets").
+std::string suggestName(std::string_view name, const std::vector<std::string>& names,
                         std::string_view what);
 
 }  // namespace crevice

@@ -3,9 +3,9 @@
 //
 // Comments (// and /* */) and a comma behind the last entry are read. All else is strict, because a
 // swallowed typo costs an afternoon: duplicate keys, numbers that no double holds, bad UTF-8, a
-// byte order mark, more than 64 levels and more than 1 MiB are errors. nlohmann-json's SAX parser
-// does the reading; its DOM is too lenient (it keeps the last of two equal keys and reads 16.7 as
-// the int 16).
+// byte order mark, more than 64 levels, 1024 members of an object or 1 MiB are errors.
+// nlohmann-json's SAX parser does the reading; its DOM is too lenient (it keeps the last of two
+// equal keys and reads 16.7 as the int 16).
 #pragma once
 
 #include <crevice/result.h>
@@ -18,6 +18,9 @@
 namespace crevice {
 
 constexpr int kMaxDocumentDepth = 64;
+
+/// Members of an object, also after merging: what is searched by name stays fast.
+constexpr std::size_t kMaxMembers = 1024;
 
 struct Member;
 
@@ -62,7 +65,7 @@ const char* kindName(Node::Kind kind);
 
 /// Reads a document. Its top value must be an object.
 ///
-/// Errors: CV1001 to CV1008, with the place of the first offending character.
+/// Errors: CV1001 to CV1009, with the place of the first offending character.
 Result<Node> parseDocument(const SourceRef& source);
 
 /// Reads one value of any kind, such as the right side of `--set radius=0.8`. A word that is not

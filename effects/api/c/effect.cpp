@@ -21,7 +21,15 @@ std::string textOf(const char* text) { return text ? text : ""; }
 
 Result<EffectRequest> requestOf(const crevice_effect_desc& desc)
 {
-    EffectRequest request{textOf(desc.config), textOf(desc.folder), textOf(desc.patch), {}};
+    EffectRequest request{textOf(desc.config), textOf(desc.folder), textOf(desc.patch), {}, {}};
+    Limits& limits = request.limits;
+    for (const auto& [limit, asked] :
+         {std::pair(&limits.files, desc.max_files), std::pair(&limits.passes, desc.max_passes),
+          std::pair(&limits.targets, desc.max_targets)}) {
+        if (asked < 0) return Diagnostic{Code::bad_input, "a limit of the config is below 0"};
+        if (asked > 0) *limit = asked;
+    }
+    if (desc.max_bytes > 0) limits.bytes = desc.max_bytes;
     if (Status given = checkGiven(desc.config, "the config"); !given) return given.diagnostics();
     if (desc.output_count < 0) return Diagnostic{Code::bad_input, "output_count is below 0"};
     for (int i = 0; i < desc.output_count; ++i) {

@@ -59,6 +59,7 @@ struct EffectRequest {
     std::string folder;
     std::string patch;
     std::vector<std::string> outputs;
+    Limits limits;
 };
 
 /// A config as it was loaded. Its strings stay where they are while params and features change.

@@ -70,14 +70,14 @@ std::vector<std::string> overridesOf(const Description& loaded, const Descriptio
 Result<std::unique_ptr<LoadedConfig>> loadEffect(const EffectRequest& request)
 {
     const CheckoutSources sources(request.folder);
-    Result<Node> bare = loadConfig(sources, {request.config});
+    Result<Node> bare = loadConfig(sources, {request.config, {}, {}, {}, request.limits});
     if (!bare) return bare.diagnostics();
     auto loaded = std::make_unique<LoadedConfig>();
     loaded->bare = std::move(*bare);
     loaded->document = loaded->bare;
     if (Status patched = applyPatch(loaded->document, request.patch); !patched)
         return patched.diagnostics();
-    Result<Description> description = decode(loaded->document, sources);
+    Result<Description> description = decode(loaded->document, sources, request.limits);
     if (!description) return description.diagnostics();
     loaded->description = std::move(*description);
     loaded->words = wordsOf(loaded->description);

@@ -26,6 +26,7 @@ namespace crevice {
 
 class Renderer;
 struct Frame;
+struct Limits;
 
 /// What an output is drawn into.
 struct OutputTexture {
@@ -44,11 +45,13 @@ public:
     /// ("balanced+geometry/host_depth"); the path of a file that ends in ".json"; or JSON text that
     /// begins with '{'. Files that a JSON text names are found as those of a file in the current
     /// folder. `outputs` names those that are wanted, such
-    /// as {"ao"}; passes that none of them needs are left out. Empty means all.
+    /// as {"ao"}; passes that none of them needs are left out. Empty means all. A config that asks
+    /// for more than `limits` is refused (<crevice/config.h>); null means those there.
     ///
     /// Errors: those of loadConfig, decode and Renderer::create.
     static Result<Effect> create(Device& device, std::string_view config, Extent size,
-                                 std::vector<std::string> outputs = {});
+                                 std::vector<std::string> outputs = {},
+                                 const Limits* limits = nullptr);
 
     Effect(Effect&&) noexcept;
     Effect& operator=(Effect&&) noexcept;

@@ -5,6 +5,7 @@
 #include <crevice/compile.h>
 
 #include "core/base/content_hash.h"
+#include "core/base/numbers.h"
 
 #include <CLI/CLI.hpp>
 
@@ -41,6 +42,33 @@ void addNode(ContentHash& hash, const Node& node)
     }
 }
 
+/// CLI11's kind of check, which also sets the limit: "passes=500".
+std::string setLimit(const std::string& text, Limits& limits)
+{
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    const auto number = equals == text.npos ? std::nullopt : parseNumber(text.substr(equals + 1));
+    if (!number || !(*number >= 1 && *number <= 1e15))
+        return "'" + text + "' is no limit: write passes=500, files=, targets= or bytes=";
+    if (name == "bytes") return limits.bytes = *number, "";
+    for (const auto& [known, limit] :
+         {std::pair("files", &limits.files), std::pair("passes", &limits.passes),
+          std::pair("targets", &limits.targets)})
+        if (name == known) return *limit = static_cast<int>(std::min(*number, 1e9)), "";
+    return suggestName(name, {"bytes", "files", "passes", "targets"}, "limits");
+}
+
+void addLimitOption(CLI::App& app, Limits& limits)
+{
+    app.add_option_function<std::vector<std::string>>(
+           "--limit", [](const std::vector<std::string>&) {},
+           "Let a config ask for more, or for less: files=256, passes=256, targets=256, "
+           "bytes=2147483648 (of its textures); may be repeated")
+        ->type_name("NAME=COUNT")
+        ->allow_extra_args(false)
+        ->check([&limits](const std::string& text) { return setLimit(text, limits); });
+}
+
 /// CLI11's kind of check: "" is fine, anything else is what is wrong.
 std::string isCheckout(const std::string& folder)
 {
@@ -64,6 +92,7 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options)
     addHostDepthOption(app, options.overrides);
     addCheckoutOption(app, options.checkout);
     addRootOption(app, options.roots);
+    addLimitOption(app, options.limits);
 }
 
 void addVariantOption(CLI::App& app, std::string& variant)
@@ -91,7 +120,7 @@ void addHostDepthOption(CLI::App& app, std::vector<std::string>& overrides)
 
 LoadRequest requestOf(const ConfigOptions& options)
 {
-    return {options.config, options.variant, options.overrides, options.roots};
+    return {options.config, options.variant, options.overrides, options.roots, options.limits};
 }
 
 void addCheckoutOption(CLI::App& app, std::string& checkout)
@@ -137,14 +166,14 @@ Result<Description> loadDescription(const ConfigOptions& options, const SourceSe
 {
     const Result<Node> document = loadConfig(sources, requestOf(options));
     if (!document) return document.diagnostics();
-    return decode(*document, sources);
+    return decode(*document, sources, options.limits);
 }
 
 Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources)
 {
     const Result<Node> document = loadConfig(sources, requestOf(options));
     if (!document) return document.diagnostics();
-    Result<Description> description = decode(*document, sources);
+    Result<Description> description = decode(*document, sources, options.limits);
     if (!description) return description.diagnostics();
     ContentHash hash;
     addNode(hash, *document);

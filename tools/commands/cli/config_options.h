@@ -20,13 +20,14 @@ struct ConfigOptions {
     std::vector<std::string> overrides;   ///< --set, each "name=value"
     std::string checkout;                 ///< --effects; empty for the embedded modules alone
     std::vector<std::string> roots = {};  ///< --root
+    Limits limits = {};                   ///< --limit
 };
 
 /// What to load, as core has it.
 LoadRequest requestOf(const ConfigOptions& options);
 
-/// Adds --variant, --set, --host-depth, --effects and --root; CONFIG is left to the command, since
-/// validate takes several.
+/// Adds --variant, --set, --host-depth, --effects, --root and --limit; CONFIG is left to the
+/// command, since validate takes several.
 void addConfigOptions(CLI::App& app, ConfigOptions& options);
 
 /// Adds --variant alone.

@@ -205,6 +205,11 @@ typedef struct crevice_effect_desc {
     /// means all.
     const char* const* outputs;
     int output_count;
+
+    /// What the config may ask for at most; 0 is the default. Files of JSON, and of GLSL (256),
+    /// passes (256), targets (256), bytes of all textures (2 GiB). More is refused: CV1209.
+    int max_files, max_passes, max_targets;
+    double max_bytes;
 } crevice_effect_desc;
 
 /// Loads the config and makes all that it needs, shaders too.
