@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The source tree against its rules: who includes whom, where GL is named, who prints, licences. Each rule is
-first shown texts that break it.
+"""The source tree against its rules: who includes whom, where GL is named, who prints, licences, what is cited. Each
+rule is first shown texts that break it.
    source_tree_test.py SOURCE"""
+import glob
 import os
 import re
 import sys
@@ -171,7 +172,63 @@ RULES = [
      [('core/x.cpp', '#include <vector>\n'), ('tests/CMakeLists.txt', '# tests\n')]),
 ]
 
+# --- citations: "Author Year" of a row in SOURCES ---
+
+SOURCES = 'docs/reference/sources.md'
+NAME, YEAR = r"(?:de )?[A-Z][\w'-]+", r'(?:(?:1[789]|20)\d\d\b|n\.d\.)'
+# Authors and a year; in shaders and pages what stands in brackets and begins with a name.
+CITED = re.compile(r'(?<!\w)((?:%s, )*%s(?: et al\.)?) (%s)' % (NAME, NAME, YEAR))
+BRACKETED = re.compile(r'\[(?=(?:de )?[A-Z][a-z])([^][]*)\](?![(:])')
+EPONYMS = 'Bayer Blinn Lambert Phong'.split()  # which name what they found, too
+MONTHS = 'January February March April May June July August September October November December'.split()
+
+
+def sources_of(page):
+    """How each row is cited: all of one or two authors, of more the first; and the names of all authors."""
+    rows = [[cell.strip() for cell in line.split('|')[1:3]] for line in page.split('\n') if line.startswith('| ')][1:]
+    return ([(authors if authors.count(',') < 2 else authors.split(',')[0] + ' et al.') + ' ' + year
+             for authors, year in rows],
+            {name for authors, _ in rows for name in authors.split(', ')
+             if name not in EPONYMS and not name.isupper()})
+
+
+def citations(path, text, names):
+    """The citations of a text, what looks like one, and names without a year."""
+    prose = re.sub(r'`[^`\n]*`', '', re.sub(r'\s+', ' ', re.sub(r'\n *//+', '\n', text)))
+    found = [' '.join(each) for each in CITED.findall(prose) if each[0] not in MONTHS]
+    if path.endswith(('.md', '.frag', '.vert', '.glsl')):
+        found += [each for each in BRACKETED.findall(prose)
+                  if not CITED.match(each) or re.search(r'(?:\d|d\.), "', each)]
+    return found + [each for each in re.findall(r"[A-Z][\w'-]+", CITED.sub('', prose)) if each in names]
+
+
+def uncited(page, texts):
+    """What is cited without a row, and the rows that nothing cites."""
+    sources, names = sources_of(page)
+    found = [(path, each) for path, text in texts for each in citations(path, text, names)]
+    return ([(path, 'has no row', each) for path, each in found if each not in sources] +
+            [(SOURCES, 'nothing cites', each) for each in sources if each not in [cite for _, cite in found]])
+
+
 failures = []
+ROW = '| author | year | title |\n|---|---|---|\n| Li, de Wit | 1999 | [T](http://a) |\n'
+for text in ('[Li, de Wit 1999; Wu 2020]', '// [Li, de Wit 1999] as Wu\n// et al. 2020 has it',
+             '[Li, de Wit 1999] [Wu, "T"]', '[Li 1999]', '[Li, de Wit 1999, "T"]', '[Li, de Wit 1999] Li says so', 'nobody'):
+    if not uncited(ROW, [('x.glsl', text)]):
+        failures.append('no citation is missed in %r' % text)
+failures += ['a citation is missed in %r: %s' % (text, uncited(ROW, [('x.glsl', text)]))
+             for text in ('// [Li,\n// de Wit 1999 - the tile] in November 2026',) if uncited(ROW, [('x.glsl', text)])]
+cited_in = [(path, source.text) for path, source in tree.items()
+            if path.split('/')[0] in ('core', 'effects', 'configs', 'tools') and
+            path.endswith(('.h', '.cpp', '.glsl', '.frag', '.vert', '.json', '.md'))]
+with open(os.path.join(sys.argv[1], SOURCES), encoding='utf-8') as file:
+    page = file.read()
+for path in [path for below in ('*.md', 'docs/*.md', 'docs/*/*.md') for path in glob.glob(os.path.join(sys.argv[1], below))]:
+    if not path.endswith(SOURCES):
+        with open(path, encoding='utf-8') as file:
+            cited_in.append((os.path.relpath(path, sys.argv[1]), file.read()))
+failures += ['%s: in %s %s: %s' % (path, SOURCES, *said) for path, *said in uncited(page, cited_in)]
+
 for says, folders, broken_by, but_not, planted in RULES:
     failures += ['the rule fails for no text: %s, %r' % (says, text) for path, text in planted
                  if not broken_by(Source(path, text))]

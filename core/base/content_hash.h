@@ -2,7 +2,7 @@
 // A hash over content, for keys that must be the same on every machine and in every run. No one
 // attacks it.
 //
-// Source: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", the 64-bit FNV-1a.
+// Source: Fowler et al. 1991, the 64-bit FNV-1a.
 #pragma once
 
 #include <cstddef>

@@ -24,7 +24,7 @@ namespace {
 double signedNumber(Stream& stream) { return 2.0 * stream.number() - 1.0 + 0x1p-24; }
 
 /// Points that fill the cube (-1, 1)^3 evenly however many are taken, from a start of the seed's:
-/// R3 of Roberts 2018. Integers step round, so that every platform has the same.
+/// R3 [Roberts 2018]. Integers step round, so that every platform has the same.
 class EvenPoints {
 public:
     explicit EvenPoints(unsigned seed)

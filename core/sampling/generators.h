@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Numbers made on load: sample kernels and rotation noise, the same on every platform.
 //
-// Sources
-//   Mittring 2007, "Finding Next Gen: CryEngine 2", SIGGRAPH course, chapter 8 - the sphere.
-//   Filion, McNaughton 2008, "StarCraft II: Effects & Techniques" - the hemisphere.
-//   Chapman 2013, "SSAO Tutorial" - offsets that cluster near the origin, a small tiled rotation.
-//   Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" - R3, for the ball.
-//   core/sampling/random.h names that of the numbers behind them.
+// Sources: Mittring 2007 - the sphere; Filion, McNaughton 2008 - the hemisphere; Chapman 2013 -
+// offsets that cluster near the origin, a small tiled rotation; Roberts 2018 - R3, for the ball.
 #pragma once
 
 #include <crevice/image.h>
@@ -41,15 +37,14 @@ Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc);
 
 /// Where the offsets of a kernel lie:
 ///   "ball"  in the unit ball, uniform in volume, and evenly however few they are [Roberts 2018]
-///   "cube"  at random in the cube (-1, 1)^3, not cut to the ball (OGLdev 45)
-///   "rays"  a random vector in the cube, normalised, times a random length (LearnOpenGL and
-///   others)
+///   "cube"  at random in the cube (-1, 1)^3, not cut to the ball [Meiri n.d.]
+///   "rays"  a random vector in the cube, normalised, times a random length [de Vries 2020]
 const std::vector<std::string>& shapeNames();
 
 /// What offset i of n is multiplied by:
 ///   "even"       1
 ///   "linear"     lerp(0.1, 1, i / n)
-///   "quadratic"  lerp(0.1, 1, (i / n)^2) (Chapman)
+///   "quadratic"  lerp(0.1, 1, (i / n)^2) [Chapman 2013]
 const std::vector<std::string>& lengthsNames();
 
 /// size x size pixels of (x, y, 0, 0): unit vectors in random directions, each with the angle of
@@ -58,7 +53,7 @@ const std::vector<std::string>& lengthsNames();
 Result<Image> makeRotationNoise(int size, unsigned seed);
 
 /// size x size pixels of (x, y, 0, 0): vectors in the square (-1, 1)^2, independent of each other,
-/// as most authors have them (LearnOpenGL, Lettier). Errors: those of makeRotationNoise.
+/// as most authors have them [de Vries 2020; Lettier 2019]. Errors: those of makeRotationNoise.
 Result<Image> makeVectorNoise(int size, unsigned seed);
 
 /// The generators' names as JSON has them: "sphere_kernel", "hemisphere_kernel", "rotation_noise",

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random numbers from a seed, the same on every platform: what the generators shape.
 //
-// Source
-//   Jarzynski, Olano 2020, "Hash Functions for GPU Rendering" - the PCG hash behind every number.
+// Source: Jarzynski, Olano 2020 - the PCG hash behind every number.
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // Angles, quickly.
 
 // The angle in 0..pi whose cosine is `c`, in radians, to within 7e-5.
-// [Abramowitz, Stegun 1964, "Handbook of Mathematical Functions", 4.4.45]
+// [Abramowitz, Stegun 1964, 4.4.45]
 highp float angleOf(highp float c)
 {
     highp float x = abs(c);

@@ -63,7 +63,7 @@ highp float shareStep(highp float share)
 }
 
 // In the three digits of an 8-bit colour, and back.
-// [Pranckevicius 2009, "Encoding Floats to RGBA - the Final?" - the digits]
+// [Pranckevicius 2009 - the digits]
 const highp vec3 kDigits = vec3(1.0, 255.0, 65025.0);
 
 highp vec3 digitsOfShare(highp float share)

@@ -8,10 +8,10 @@
 //
 // With MOVING_NOISE both move on by golden ratios from frame to frame, for a mean over frames, in cycles of kNoiseCycle.
 //
-// [Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" - the gradient, its constants]
-// [Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" - R1, steps of 0.61803399, the golden
-//  ratio less 1; and R2, steps of 0.75487767 and 0.56984029, which are 1 / g and 1 / g^2 for g^3 = g + 1]
-// [Bayer 1973, "An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures" - the tile]
+// [Jimenez 2014 - the gradient, its constants]
+// [Roberts 2018 - R1, steps of 0.61803399, the golden ratio less 1; and R2, steps of 0.75487767 and 0.56984029, which
+//  are 1 / g and 1 / g^2 for g^3 = g + 1]
+// [Bayer 1973 - the tile]
 
 highp vec2 stillNoise(highp vec2 pixel)
 {

@@ -2,7 +2,7 @@
 // Orthonormal frames about a normal.
 
 // Two unit vectors that stand on the unit vector `n` and on each other; defined for every n.
-// [Duff et al. 2017, "Building an Orthonormal Basis, Revisited" - the form without branches]
+// [Duff et al. 2017 - the form without branches]
 void tangentFrame(highp vec3 n, out highp vec3 tangent, out highp vec3 bitangent)
 {
     highp float s = n.z >= 0.0 ? 1.0 : -1.0;

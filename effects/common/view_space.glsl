@@ -57,8 +57,8 @@ highp float planeZ(highp vec2 uv, highp vec3 point, highp vec3 normal)
 }
 
 // The window depth that viewFromWindow takes to view depth `z`: (m2.z d + near.z) / (m2.w d + near.w) = z, solved for d,
-// where an oblique near plane has `near` change over the screen [Lengyel 2005, "Oblique View Frustum Depth Projection
-// and Clipping"]. Nothing cancels: reversed depth keeps the digits that a float texture has for it.
+// where an oblique near plane has `near` change over the screen [Lengyel 2005]. Nothing cancels: reversed depth keeps
+// the digits that a float texture has for it.
 highp float windowFromView(highp vec2 uv, highp float z)
 {
     highp mat4 m = view_from_window;

@@ -142,7 +142,7 @@ float learnopengl(const Drawn& drawn, int x, int y)
     return 1 - sum / 64;
 }
 
-float chapman(const Drawn& drawn, int x, int y)
+float gedge(const Drawn& drawn, int x, int y)
 {
     static const std::vector<vec3> kernel = hemisphere(16, true);
     const float radius = 0.5f, power = 2;
@@ -209,9 +209,9 @@ float habr(const Drawn& drawn, int x, int y)
     return 1 - blocked / 16;
 }
 
-const Author kAuthors[] = {{"ogldev45", false, ogldev},      {"learnopengl", false, learnopengl},
-                           {"chapman_depth", true, chapman}, {"lettier", false, lettier},
-                           {"thesis", false, thesis},        {"habr", true, habr}};
+const Author kAuthors[] = {{"ogldev45", false, ogldev}, {"learnopengl", false, learnopengl},
+                           {"gedge", true, gedge},      {"lettier", false, lettier},
+                           {"thesis", false, thesis},   {"habr", true, habr}};
 
 /// A target of a config, as it is before its filter.
 Image targetOf(SceneRig& rig, const std::string& config, const char* name)

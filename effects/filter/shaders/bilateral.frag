@@ -9,7 +9,7 @@
 //
 // A tap counts when its depth lies within the cut of the line through the pixel's own depth and slope, so
 // that a floor seen at a grazing angle is filtered as well as a wall: the line is ours.
-// [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
+// [Tomasi, Manduchi 1998]
 precision highp float;  // depths are compared
 
 #define SURFACE_WITHOUT_NORMAL

@@ -7,7 +7,7 @@
 //   ao_filtered  the weighted mean; unchanged where no neighbour is near in depth
 //
 // A tap counts when its depth lies within the cut of the plane through the pixel's own depth and slopes.
-// [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
+// [Tomasi, Manduchi 1998]
 precision highp float;  // depths are compared
 
 #define SURFACE_WITHOUT_NORMAL

@@ -12,7 +12,7 @@
 // Five taps, the outer ones by half: on a plane each of four neighbouring columns counts alike, so that
 // noise which repeats every four pixels vanishes, and the picture does not shift. The taps are ours, as is all of
 // off_plane.glsl but the idea, weights by what is seen: docs/reference/filters.md has its error and cost.
-// [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
+// [Tomasi, Manduchi 1998]
 precision highp float;  // depths are compared
 precision highp int;
 

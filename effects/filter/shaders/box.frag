@@ -8,7 +8,7 @@
 // The taps stand symmetrically about the pixel's centre. Where BLUR_SIZE is even they would fall between pixels: the box
 // then has half of the pixels at its ends, so a tile of BLUR_SIZE noise values vanishes and the picture does not shift by
 // half a pixel. One linear fetch reads two pixels of a row and two rows, so that 4 x 4 taps take 3 x 3 fetches.
-// [Rideout 2010; "Efficient Gaussian Blur with Linear Sampling" - the fetches between pixels]
+// [Rakos 2010 - the fetches between pixels]
 precision highp float;
 
 uniform mediump sampler2D ao;

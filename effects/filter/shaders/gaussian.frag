@@ -9,7 +9,7 @@
 //
 // What is far away is blurred less, so that a surface keeps its look as the camera moves: ours. The weights
 // come from two products a tap instead of an exponential.
-// [Turkowski 2007, "Incremental Computation of the Gaussian", GPU Gems 3, chapter 40]
+// [Turkowski 2007]
 precision highp float;  // depths, and products that fall by many powers of two
 
 #define SURFACE_WITHOUT_NORMAL

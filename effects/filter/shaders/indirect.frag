@@ -9,7 +9,7 @@
 //   indirect_filtered  the weighted mean
 //   AXIS               vec2(1.0, 0.0) or vec2(0.0, 1.0)
 //
-// [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
+// [Tomasi, Manduchi 1998]
 precision highp float;  // depths are compared
 precision highp int;
 

@@ -7,7 +7,7 @@
 //
 //   source_normal  normals at the size of the occlusion, with the guard band, and tolerances
 //
-// [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
+// [Tomasi, Manduchi 1998]
 
 #include "common/depth_share.glsl"
 #include "common/pixel_ray.glsl"

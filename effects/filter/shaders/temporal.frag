@@ -16,8 +16,7 @@
 // Under a still camera the mean stands still once it has all its frames, until the same noise gives another occlusion:
 // then something has changed. Ours. Elsewhere HISTORY_CLAMP keeps the mean near what this frame has around the pixel.
 // Figures are of balanced_temporal in the room, radius 1, 256x144.
-// [Nehab et al. 2007, "Accelerating Real-Time Shading with Reverse Reprojection Caching"]
-// [Salvi 2016, "An Excursion in Temporal Supersampling" - the clamp by mean and deviation]
+// [Nehab et al. 2007; Salvi 2016 - the clamp by mean and deviation]
 precision highp float;  // points and depths
 precision highp int;
 

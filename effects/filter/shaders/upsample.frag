@@ -11,7 +11,7 @@
 //
 // A neighbour counts if the pixel lies in its plane: what lies across the near edge of a box does not, at the same
 // depth. Where all four lie on other surfaces, a thin wire say, or on a curved one, those nearest in depth serve.
-// [Kopf et al. 2007, "Joint Bilateral Upsampling"] - bilinear shares times a weight by the full-size picture
+// [Kopf et al. 2007] - bilinear shares times a weight by the full-size picture
 precision highp float;  // depths are compared
 precision highp int;
 

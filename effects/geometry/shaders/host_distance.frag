@@ -6,7 +6,7 @@
 //   log_depth     log2(1 + log_scale w) / log2(1 + log_scale log_far) of distance w; 1 in the background
 //   linear_depth  the distance; 0 or less, linear_far or more, and what is no number, in the background
 //
-// [Kemen 2009, "Logarithmic Depth Buffer", Gamasutra; with log_scale 1 that of three.js]
+// [Kemen 2009; with log_scale 1 that of three.js]
 precision highp float;
 precision highp int;
 

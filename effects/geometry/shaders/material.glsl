@@ -57,8 +57,7 @@ highp vec3 seenNormal(highp vec3 at, highp vec3 vertex_normal)
 
 #if SCENE_NORMAL_MAPPED
 // Columns: where the texture's u and v grow along the surface, both over the longer one, and n. Needs no
-// tangents in the mesh. [Mikkelsen 2010, "Bump Mapping Unparametrized Surfaces on the GPU"]
-// [Schueler 2013, "Followup: Normal Mapping Without Precomputed Tangents"]
+// tangents in the mesh. [Mikkelsen 2010; Schueler 2013]
 highp mat3 textureFrame(highp vec3 at, highp vec2 map_uv, highp vec3 n)
 {
     highp vec3 across = dFdx(at);

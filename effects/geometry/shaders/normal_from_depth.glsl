@@ -8,7 +8,7 @@
 // Where the steps that depth is stored in are not small against a texel, texels farther apart serve, as long as
 // they foretell the depth to within those steps. Both sides do on a plane; there the way from one to the other
 // leans half as much as that to either.
-// [Wu 2020, "Accurate Normal Reconstruction from Depth Buffer" - the choice by two texels a side]
+// [Wu 2020 - the choice by two texels a side]
 
 #include "common/view_space.glsl"
 

@@ -3,7 +3,7 @@
 // Depth of the nearest surface behind another depth; with OR_EQUAL also of one at that depth, as the back of a sheet.
 //
 //   behind  depth texture of the same size, and of the same format as `depth`
-// [Everitt 2001, "Interactive Order-Independent Transparency"]
+// [Everitt 2001]
 precision highp float;
 
 #include "geometry/shaders/material.glsl"

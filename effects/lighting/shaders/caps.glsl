@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How open a highlight is, from the visibility alone or with the mean open direction.
 //
-//   [Lagarde, de Rousiers 2014, "Moving Frostbite to Physically Based Rendering" - from visibility]
-//   [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion" - cones]
-//   [Oat, Sander 2007, "Ambient Aperture Lighting" - where two caps of a sphere overlap]
+//   [Lagarde, de Rousiers 2014 - from visibility]
+//   [Jimenez et al. 2016 - cones]
+//   [Oat, Sander 2007 - where two caps of a sphere overlap]
 
 #include "common/angles.glsl"
 

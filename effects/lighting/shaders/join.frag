@@ -4,7 +4,7 @@
 //
 //   ao_filtered, baked_ao  visibility, 1 open .. 0 blocked
 //   ao_joined              likewise; a product would darken twice what both know of
-// [Lagarde, de Rousiers 2014, "Moving Frostbite to Physically Based Rendering"]
+// [Lagarde, de Rousiers 2014]
 precision mediump float;
 
 #include "common/guard_band.glsl"

@@ -7,10 +7,7 @@
 //   MULTI_BOUNCE   light that bounces in corners, so that bright and coloured ones are less dark
 //   AMBIENT_BY_MATERIAL  defined where materials differ in the ambient light that they reflect
 //
-// [Lambert 1760, "Photometria"]
-// [Phong 1975, "Illumination for Computer Generated Pictures"]
-// [Blinn 1977, "Models of Light Reflection for Computer Synthesized Pictures"]
-// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion" - bounces]
+// [Lambert 1760; Phong 1975; Blinn 1977; Jimenez et al. 2016 - bounces]
 
 #if SCENE_LIGHTS > 0 && SCENE_SPECULAR && REFLECTION != REFLECTION_LAMBERT
 #define HIGHLIGHTS 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transfer curve of displays. [IEC 61966-2-1]
+// The transfer curve of displays, sRGB. [IEC 1999]
 
 mediump vec3 srgbFromLinear(mediump vec3 color)
 {

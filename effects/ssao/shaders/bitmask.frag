@@ -8,10 +8,9 @@
 //   source_layers                with BACK_FACES: what ssao/shaders/layers.frag wrote
 //   ao                           visibility, 1 open .. 0 blocked; 1 in the background
 //
-// [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"] - the sectors; theirs are
-// of equal angle. That taps join, and that each is clipped to the radius, is ours. Off the screen the surface last seen
-// goes on. Figures are rmse in the room and on the spheres, 480x270, radius 1; docs/reference/methods.md says how to
-// measure.
+// [Therrien et al. 2023] - the sectors; theirs are of equal angle. That taps join, and that each is clipped to the
+// radius, is ours. Off the screen the surface last seen goes on. Figures are rmse in the room and on the spheres,
+// 480x270, radius 1; docs/reference/methods.md says how to measure.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;    // all 32 bits of a mask: mediump has 16
 
@@ -58,7 +57,7 @@ uint maskOf(mediump float first, mediump float last)
     return (1u << end) - (1u << begin);
 }
 
-// [Anderson 2005, "Bit Twiddling Hacks" - counting bits set, in parallel]
+// [Anderson 2005 - counting bits set, in parallel]
 mediump float countOf(uint mask)
 {
     uint pairs = mask - ((mask >> 1u) & 0x55555555u);

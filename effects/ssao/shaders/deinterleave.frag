@@ -7,7 +7,7 @@
 //   depth_tiles, normal_tiles    the same without the guard band, in 4x4 tiles, in the order of the pixels that each
 //                                begins with
 //
-// [Bavoil, Jansen 2013, "Particle Shadows & Cache-Efficient Post-Processing"]
+// [Bavoil, Jansen 2013]
 precision highp float;  // depths
 precision highp int;
 

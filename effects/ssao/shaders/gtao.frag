@@ -9,8 +9,8 @@
 // Everything below the highest tap of a side counts as blocked. A tap beyond the radius does not count; where the
 // surface leaves the radius between two taps, the place where it does is interpolated, without which few taps see too
 // low a horizon. Off the screen the surface last seen goes on.
-// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"] - algorithm 1; the bent normal
-// is algorithm 2. They fade taps towards the radius; the interpolation is ours.
+// [Jimenez et al. 2016] - algorithm 1; the bent normal is algorithm 2. They fade taps towards the radius; the
+// interpolation is ours.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;
 

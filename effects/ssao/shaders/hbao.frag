@@ -5,7 +5,7 @@
 //   source_depth, source_normal  as ssao/shaders/march.glsl has them
 //   ao                           visibility, 1 open .. 0 blocked; 1 in the background
 //
-// [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"]
+// [Bavoil, Sainz 2008]
 precision highp float;  // positions and depths; mediump bands
 precision highp int;
 

@@ -8,8 +8,8 @@
 //   THIN_OCCLUDERS  skip: distance counts in space, so that light passes behind what stands far in front;
 //                   count: distance counts across the view ray, as if everything went on behind
 //
-// [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"] - the integral of sin h - sin t, of elevations
-// over the screen; here angles count from the camera, so that sines are cosines. [SCS Software] - skip or count.
+// [Bavoil, Sainz 2008] - the integral of sin h - sin t, of elevations over the screen; here angles count from the
+// camera, so that sines are cosines. [SCS 2020] - skip or count.
 
 #include "ssao/shaders/lift.glsl"
 #include "ssao/shaders/march.glsl"

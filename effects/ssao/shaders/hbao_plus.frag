@@ -6,8 +6,7 @@
 //   source_depth, source_normal  as ssao/shaders/march.glsl has them, in tiles and without the guard band
 //   ao_tiles                     visibility in the same tiles, 1 open .. 0 blocked; 1 in the background
 //
-// [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"]
-// [Bavoil, Jansen 2013, "Particle Shadows & Cache-Efficient Post-Processing"]
+// [Bavoil, Sainz 2008; Bavoil, Jansen 2013]
 precision highp float;  // positions and depths; mediump bands
 precision highp int;
 

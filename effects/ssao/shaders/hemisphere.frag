@@ -18,9 +18,8 @@
 //   direct          linear colour that surfaces reflect
 //   indirect        linear colour that the point gets from them
 //
-// [Filion, McNaughton 2008, "StarCraft II: Effects & Techniques"; Chapman 2013, "SSAO Tutorial"] - the occluded share
-// of offsets. [LearnOpenGL, "SSAO"] - the bias. [Habr, "Normal-oriented Hemisphere SSAO"] - the lifted point.
-// [Ritschel, Grosch, Seidel 2009, "Approximating Dynamic Global Illumination in Image Space" - the bounce]
+// [Filion, McNaughton 2008; Chapman 2013] - the occluded share of offsets. [de Vries 2020] - the bias.
+// [Habr n.d.] - the lifted point. [Ritschel et al. 2009] - the bounce.
 precision highp float;  // positions and depths; mediump bands
 
 #include "common/host_picture.glsl"
@@ -59,8 +58,8 @@ vec3 reflectedFrom(vec2 at, vec3 seen, vec3 point)
 }
 #endif
 
-// [Chapman, "Delving into SSAO": his prose raises the occlusion to a power, his code the visibility]
-// [Lettier, "3D Game Shaders for Beginners" - the contrast]
+// [Gedge 2014: the prose raises the occlusion to a power, the code the visibility]
+// [Lettier 2019 - the contrast]
 float shown(float occlusion)
 {
 #if POWER_OF == POWER_OF_OCCLUSION

@@ -5,8 +5,7 @@
 // normal, towards the camera, it goes on to 2 less that sine. Of the light that a cosine-weighted hemisphere gets, an
 // angle t from the camera brings cos(t - n) sin t dt, where n is the angle of the normal within the slice.
 //
-// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"]. Lines are those of its
-// algorithm 1, as XeGTAO counts them.
+// [Jimenez et al. 2016] Lines are those of its algorithm 1, as XeGTAO counts them.
 
 #include "common/angles.glsl"
 

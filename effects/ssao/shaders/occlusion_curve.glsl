@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From the occluded share of the samples to the visibility that is stored. The power is the authors' usual last
-// step [Chapman 2013, "SSAO Tutorial"; XeGTAO]; with 1 nothing is fitted.
+// step [Chapman 2013; Strugar, McCalla 2021]; with 1 nothing is fitted.
 
 uniform highp float intensity;
 uniform highp float power;

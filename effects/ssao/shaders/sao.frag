@@ -9,7 +9,7 @@
 //
 // Spiral and weights are the authors' own, with lengths counted in radii where they have metres; their half step of
 // the spiral is noise here. Variants B and C are those of the shader that they published with the paper.
-// [McGuire, Mara, Luebke 2012, "Scalable Ambient Obscurance"]
+// [McGuire et al. 2012]
 precision highp float;  // positions and depths; mediump bands
 
 #include <surface>

@@ -26,7 +26,7 @@ uniform highp float near_taps;
 
 // The point that the tap at `at` of the pixel at `from` sees, false in the background; `at` becomes the uv of that
 // point. The level is the logarithm of the distance, less that of `near_taps`: 16 pixels, where the authors have 2^3.
-// [McGuire, Mara, Luebke 2012, "Scalable Ambient Obscurance"]
+// [McGuire et al. 2012]
 bool samplePosition(highp vec2 from, inout highp vec2 at, out highp vec3 point)
 {
     highp ivec2 size = textureSize(depth_levels, 0);

@@ -10,7 +10,7 @@
 //   GUARDS          ours: probes behind the camera or off the screen and background do not count, and occlusion fades
 //                   where the radius nears a pixel
 //
-// [Mittring 2007, "Finding Next Gen: CryEngine 2"; Meiri, OGLdev tutorial 45] - the occluded share of offsets.
+// [Mittring 2007; Meiri n.d.] - the occluded share of offsets.
 precision highp float;  // positions and depths; mediump bands
 
 #define SURFACE_WITHOUT_NORMAL

@@ -16,7 +16,7 @@ constexpr double kTurnMs = 40.0;
 constexpr std::size_t kTurnFrames = 64;
 
 /// The half width of a median's interval of 95 % confidence is this times the interquartile range
-/// over the root of the count (McGill 1978, its factor 1.57).
+/// over the root of the count (McGill et al. 1978, its factor 1.57).
 constexpr double kNotch = 1.57;
 constexpr double kSettled = 0.03;
 

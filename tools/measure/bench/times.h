@@ -10,7 +10,7 @@
 // seconds. So the cost of the copy is compared with that of `learnopengl` at their quickest, over
 // all turns of a view.
 //
-// Source: McGill, Tukey, Larsen 1978, "Variations of Box Plots" - how well a median is known.
+// Source: McGill et al. 1978 - how well a median is known.
 #pragma once
 
 #include "tools/measure/bench/sample.h"

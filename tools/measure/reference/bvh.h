@@ -2,8 +2,7 @@
 // A tree of boxes: each holds the boxes of its two children, each leaf some items that lie close
 // together.
 //
-// Source
-//   Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies".
+// Source: Wald 2007.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -4,10 +4,7 @@
 // Triangles are met as Embree's robust mode meets them: the sides of a ray on which the edges lie,
 // which triangles that share an edge agree on, so that no ray slips through between them.
 //
-// Sources
-//   Davidovic, Engelhardt, Georgiev, Slusallek, Dachsbacher 2012, "3D Rasterization: A Bridge
-//     between Rasterization and Ray Casting" - the edges.
-//   Ize 2013, "Robust BVH Ray Traversal" - the boxes.
+// Sources: Davidovic et al. 2012 - the edges; Ize 2013 - the boxes.
 #pragma once
 
 #include "tools/measure/reference/ray_scene.h"

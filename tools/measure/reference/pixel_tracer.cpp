@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMaxTraceSide = 1 << 15;
 
-// PCG: Jarzynski, Olano 2020, "Hash Functions for GPU Rendering".
+// PCG [Jarzynski, Olano 2020].
 std::uint32_t hashed(std::uint32_t value)
 {
     const std::uint32_t state = value * 747796405u + 2891336453u;

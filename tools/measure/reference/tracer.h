@@ -10,10 +10,7 @@
 // Distances are computed in doubles, so any radius will do, and any place in the world that an
 // instance's matrix says; vertices are as exact as their 32-bit floats.
 //
-// Sources
-//   Malley's method: Pharr, Jakob, Humphreys, "Physically Based Rendering".
-//   Cranley, Patterson 1976, "Randomization of Number Theoretic Methods for Multiple Integration".
-//   Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+// Sources: Pharr et al. 2023 - Malley's method; Cranley, Patterson 1976; Duff et al. 2017.
 #pragma once
 
 #include "tools/measure/reference/ray_scene.h"

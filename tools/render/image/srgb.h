@@ -6,7 +6,7 @@
 
 namespace crevice {
 
-/// IEC 61966-2-1; both in [0, 1].
+/// [IEC 1999]; both in [0, 1].
 inline float linearFromSrgb(float value)
 {
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
