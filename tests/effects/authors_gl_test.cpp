@@ -261,7 +261,46 @@ double rmseOf(const Author& author, const Drawn& drawn)
     return std::sqrt(sum / count);
 }
 
+/// One direction of the thesis' filter: of two neighbours on either side those that differ by less
+/// than `cut` in depth, weighted by a Gaussian whose window ends at two sigma.
+Image filteredAlong(const Image& ao, const Drawn& drawn, int across, int down, float cut)
+{
+    Image mean(kSize, 1, 1.0f);
+    for (int y = 2; y < kSize.height - 2; ++y)
+        for (int x = 2; x < kSize.width - 2; ++x) {
+            float sum = 0, weights = 0;
+            for (int i = -2; i <= 2; ++i) {
+                const int u = x + i * across, v = y + i * down;
+                const float off = drawn.positionAt(u, v).z - drawn.positionAt(x, y).z;
+                if (!drawn.surfaceAt(u, v) || std::fabs(off) >= cut) continue;
+                const float weight = std::exp(-0.5f * float(i * i) * 4 / 9);
+                sum += weight * ao.at(u, v);
+                weights += weight;
+            }
+            if (weights > 0) mean.at(x, y) = sum / weights;
+        }
+    return mean;
+}
+
 }  // namespace
+
+TEST_CASE("The thesis' filter counts neighbours by their difference in depth alone")
+{
+    SceneRig rig("room", kSize);
+    for (const char* scene : {"room", "spheres", "plane"}) {
+        rig.show(scene);
+        const Drawn drawn = draw(rig, kAuthors[4]);
+        const float cut = 0.1f * 0.5f;
+        const Image across = filteredAlong(drawn.ao, drawn, 1, 0, cut);
+        const Image theirs = filteredAlong(across, drawn, 0, 1, cut);
+        const Image ours = targetOf(rig, "thesis", "ao_filtered");
+        INFO(scene);
+        for (int y = 4; y < kSize.height - 4; ++y)
+            for (int x = 4; x < kSize.width - 4; ++x)
+                if (drawn.surfaceAt(x, y))
+                    REQUIRE(ours.at(x, y) == Approx(theirs.at(x, y)).margin(2.01f / 255));
+    }
+}
 
 TEST_CASE("Configs of single authors draw what those authors compute")
 {

@@ -7,8 +7,7 @@
 //   ao_filtered  the weighted mean; unchanged where no neighbour is near in depth
 //   AXIS         vec2(1.0, 0.0) or vec2(0.0, 1.0)
 //
-// A tap counts when its depth lies within the cut of the line through the pixel's own depth and slope, so
-// that a floor seen at a grazing angle is filtered as well as a wall: the line is ours.
+// A tap counts when its depth lies within the cut of the line through the pixel's own depth and slope.
 // [Tomasi, Manduchi 1998]
 precision highp float;  // depths are compared
 
