@@ -172,7 +172,7 @@ RULES = [
      [('core/x.cpp', '#include <vector>\n'), ('tests/CMakeLists.txt', '# tests\n')]),
 ]
 
-# --- citations: "Author Year" of a row in SOURCES ---
+# --- citations: "Author Year" of a line in SOURCES ---
 
 SOURCES = 'docs/reference/sources.md'
 NAME, YEAR = r"(?:de )?[A-Z][\w'-]+", r'(?:(?:1[789]|20)\d\d\b|n\.d\.)'
@@ -185,7 +185,7 @@ MONTHS = 'January February March April May June July August September October No
 
 def sources_of(page):
     """How each row is cited: all of one or two authors, of more the first; and the names of all authors."""
-    rows = [[cell.strip() for cell in line.split('|')[1:3]] for line in page.split('\n') if line.startswith('| ')][1:]
+    rows = re.findall(r'^\* ([^:]*) (%s):' % YEAR, page, re.M)
     return ([(authors if authors.count(',') < 2 else authors.split(',')[0] + ' et al.') + ' ' + year
              for authors, year in rows],
             {name for authors, _ in rows for name in authors.split(', ')
@@ -211,7 +211,7 @@ def uncited(page, texts):
 
 
 failures = []
-ROW = '| author | year | title |\n|---|---|---|\n| Li, de Wit | 1999 | [T](http://a) |\n'
+ROW = '* Li, de Wit 1999: [T](http://a)\n'
 for text in ('[Li, de Wit 1999; Wu 2020]', '// [Li, de Wit 1999] as Wu\n// et al. 2020 has it',
              '[Li, de Wit 1999] [Wu, "T"]', '[Li 1999]', '[Li, de Wit 1999, "T"]', '[Li, de Wit 1999] Li says so', 'nobody'):
     if not uncited(ROW, [('x.glsl', text)]):
