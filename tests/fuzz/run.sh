@@ -41,8 +41,8 @@ for group in tests/data/bad/*.txt; do
         END { finish() }' "$group"
 done
 
-# Every word that the seeds have in quotes, for libFuzzer to combine.
-grep -ohE '"[a-z_.]+"' "$seeds"/*.json | sort -u | sed -E 's/"(.*)"/"\\"\1\\""/' > "$out/words.dict"
+# Every word of the format and all that the seeds have in quotes, for libFuzzer to combine.
+grep -ohE '"[a-z_.]+"' docs/config.schema.json "$seeds"/*.json | sort -u | sed -E 's/"(.*)"/"\\"\1\\""/' > "$out/words.dict"
 
 for fuzzer in document config; do
     printf '\n-- %s, %s s\n' "$fuzzer" "$seconds"

@@ -95,7 +95,7 @@ Result<Description> loadWatched(const RenderOptions& options, const SourceSet& s
     files.add(document.diagnostics());
     if (!document) return document.diagnostics();
     files.add(*document);
-    Result<Description> description = decode(*document, sources);
+    Result<Description> description = decode(*document, sources, config.limits);
     files.add(description.diagnostics());
     if (description) files.add(*description);
     return description;

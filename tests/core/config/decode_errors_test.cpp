@@ -42,11 +42,13 @@ TEST_CASE("every error of a file is reported, in its order", "[decode]")
     }
 }
 
-TEST_CASE("a document of nothing but mistakes gets a thousand errors", "[decode]")
+TEST_CASE("a document of nothing but mistakes gets a hundred errors", "[decode]")
 {
     std::string params = R"("samples": {"type": "int", "default": 16})";
-    for (int i = 0; i < 1500; ++i)
+    for (int i = 0; i < 1000; ++i)
         params += ", \"p" + std::to_string(i) + R"(": {"default": 1, "mni": 0})";
     const Result<Description> result = decodeWith({{"params", "{" + params + "}"}});
-    REQUIRE(result.diagnostics().size() == 1000);
+    REQUIRE(result.diagnostics().size() == 100);
+    CHECK(result.diagnostics().back().notes.back().text ==
+          "and 900 more, which are not listed; mend these first");
 }

@@ -62,7 +62,7 @@ std::vector<std::string> UserFiles::addNamed()
     const std::map<std::string, std::string> before = watched_.texts();
     const Result<Node> document = loadConfig(shipped_, requestOf(options_));
     const Result<Description> description =
-        document ? decode(*document, shipped_) : Result<Description>(document.diagnostics());
+        document ? decode(*document, shipped_, options_.limits) : Result<Description>(document.diagnostics());
     if (document) watched_.add(*document);
     if (description) watched_.add(*description);
     watched_.add(description.diagnostics());

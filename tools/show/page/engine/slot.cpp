@@ -27,7 +27,7 @@ Result<Description> describe(const SourceSet& sources, const LoadRequest& reques
 {
     const Result<Node> document = loadConfig(sources, request);
     if (!document) return document.diagnostics();
-    return decode(*document, sources);
+    return decode(*document, sources, request.limits);
 }
 
 void collectFiles(const Node& node, std::set<std::string>& paths)
