@@ -218,7 +218,7 @@ struct ViewDesc : Named {
 /// What a config may ask for. What asks for more is refused (CV1209), so that no stranger's file
 /// takes a machine's memory.
 struct Limits {
-    int files = 256;    ///< JSON files, and GLSL files.
+    int files = 1024;   ///< JSON files, and GLSL files.
     int passes = 256;   ///< Whether they run or not.
     int targets = 256;  ///< Whether they are used or not.
     /// Of all textures that the renderer makes at the size asked for, as textureBytes counts them.

@@ -76,11 +76,21 @@ TEST_CASE("a replaced value remembers each place that set it, oldest first")
     CHECK(base.find("a")->origins.empty());
 }
 
-TEST_CASE("a patch of very many keys merges into nothing in little time")
+TEST_CASE("an object has at most 1024 members, also when files are merged")
 {
-    std::string text = "{\"k\": 0";
-    for (int i = 0; i < 80000; ++i) text += ",\"" + std::to_string(i) + "\":0";
-    CHECK(merged("{}", text + "}").node.members.size() == 80001);
+    const auto text = [](std::size_t count, const char* prefix) {
+        std::string members = "\"k\": 0";
+        for (std::size_t i = 1; i < count; ++i)
+            members += std::string(",\"") + prefix + std::to_string(i) + "\":0";
+        return "{" + members + "}";
+    };
+    CHECK(merged("{}", text(kMaxMembers, "a")).node.members.size() == kMaxMembers);
+    CHECK(merged(text(kMaxMembers, "a"), text(2, "b")).diagnostics.at(0).code ==
+          Code::too_many_members);
+    const auto source = std::make_shared<SourceText>(SourceText{"m.json", text(1025, "a")});
+    const Result<Node> more = parseDocument(source);
+    REQUIRE(more.diagnostics().size() == 1);
+    CHECK(more.diagnostics()[0].code == Code::too_many_members);
 }
 
 TEST_CASE("the patch between two documents is the smallest that makes one of the other")
