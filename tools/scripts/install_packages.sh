@@ -7,7 +7,7 @@ set -euo pipefail
 fail() { printf 'install_packages.sh: %s\n' "$1" >&2; exit 1; }
 
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-mapfile -t wanted < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' -- "$here/packages.txt")
+mapfile -t wanted < <(sed -e 's/#.*//' -e 's/ *>=.*//' -e '/^[[:space:]]*$/d' -- "$here/packages.txt")
 wanted+=("$@")
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
