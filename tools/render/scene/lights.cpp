@@ -41,8 +41,9 @@ void normalizeLights(Scene& scene)
         light.color = glm::max(glm::vec3(glm::dvec3(light.color) / divisor), glm::vec3(0.0f));
         brightest = std::max<double>({brightest, light.color.r, light.color.g, light.color.b});
     }
-    if (!(brightest > 0.0) || !std::isfinite(brightest)) return lights.clear();
-    for (SceneLight& each : lights) each.light.color /= static_cast<float>(brightest);
+    if (!std::isfinite(brightest)) return lights.clear();
+    for (SceneLight& each : lights)
+        if (brightest > 0.0) each.light.color /= static_cast<float>(brightest);
 }
 
 void addDefaultLight(Scene& scene)

@@ -8,7 +8,7 @@ namespace crevice {
 
 /// Files give candela, lux, watts or fractions. What counts is what arrives: colour becomes the
 /// light at the scene's centre, as a part of what the brightest light brings there. Lights that
-/// bring nothing go.
+/// are off stay so; where what one brings is no number, all go.
 void normalizeLights(Scene& scene);
 
 /// Gives a scene without lights one over the shoulder of whoever looks at it from the front, so

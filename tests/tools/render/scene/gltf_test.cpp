@@ -153,6 +153,20 @@ TEST_CASE("a glTF camera keeps its angle or height and its planes, and its node'
     }
 }
 
+TEST_CASE("lights that are off stay off, and keep the default one away")
+{
+    for (const char* light :
+         {R"({"type": "point", "intensity": 0})", R"({"type": "directional", "color": [0, 0, 0]})",
+          R"({"type": "spot", "intensity": 0, "spot": {}})"}) {
+        INFO(light);
+        const TemporaryFolder folder("scene_gltf_test");
+        const Scene scene = need(loadScene(folder.write("off.gltf", lit(light, {"2"}))));
+        REQUIRE(scene.lights.size() == 1);
+        CHECK(scene.lights[0].name != "default");
+        CHECK(scene.lights[0].light.color == glm::vec3(0.0f));
+    }
+}
+
 TEST_CASE("the brightest light brings 1 to the centre of the scene, in any unit")
 {
     const Scene scene = load(lit(R"({"type": "point", "color": [1, 0.5, 0.25], "intensity": 54000},
