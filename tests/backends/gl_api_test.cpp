@@ -57,6 +57,31 @@ TEST_CASE("a context that lacks a function is refused by the function's name")
     CHECK(error.message.find("glTexStorage2D") != std::string::npos);
 }
 
+TEST_CASE("a loader is made of a window system's function as it is, whatever pointers that gives")
+{
+    using Function = void (*)();
+    struct Found {
+        static void* asData(const char*) { return reinterpret_cast<void*>(getString); }
+        static Function asFunction(const char*) { return reinterpret_cast<Function>(getString); }
+        static int (*asOther(const char* name))()
+        {
+            return reinterpret_cast<int (*)()>(asFunction(name));
+        }
+    };
+    const std::function<void*(const char*)> wrapped = Found::asData;
+    const GlLoader loaders[] = {Found::asData, Found::asFunction, Found::asOther, wrapped,
+                                [](const char* name) { return Found::asFunction(name); }};
+    for (const GlLoader& load : loaders) {
+        REQUIRE(load);
+        CHECK(load("glGetString") == reinterpret_cast<void*>(getString));
+    }
+    Function (*const none)(const char*) = nullptr;
+    for (const GlLoader& load : {GlLoader(), GlLoader(none), GlLoader(decltype(wrapped)())}) {
+        CHECK_FALSE(load);
+        CHECK(makeGlDevice(load).diagnostics()[0].code == Code::gl_function);
+    }
+}
+
 TEST_CASE("a loader that finds nothing is told that no context is current")
 {
     const Result<GlApi> gl = loadGlApi([](const char*) -> void* { return nullptr; });

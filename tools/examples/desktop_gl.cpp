@@ -92,10 +92,7 @@ double run(GLFWwindow* window, const GlLoader& loader, int frames)
 int main(int argc, char** argv)
 {
     GLFWwindow* window = openWindow();
-    const auto loader = [](const char* name) {
-        return reinterpret_cast<void*>(glfwGetProcAddress(name));
-    };
-    const double mean = run(window, loader, argc > 1 ? std::atoi(argv[1]) : INT_MAX);
+    const double mean = run(window, glfwGetProcAddress, argc > 1 ? std::atoi(argv[1]) : INT_MAX);
     glfwTerminate();
     std::printf("mean AO %.4f\n", mean);
     return mean > 0.5 && mean < 0.97 ? EXIT_SUCCESS : EXIT_FAILURE;

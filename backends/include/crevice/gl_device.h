@@ -4,7 +4,7 @@
 // It adopts whatever context is current: the application's own, or one of <crevice/context.h>. It
 // keeps the context's state and puts it back; backends/gl/state.h lists exactly what.
 //
-//     auto device = makeGlDevice([](const char* name) { return (void*)eglGetProcAddress(name); });
+//     auto device = makeGlDevice(eglGetProcAddress);
 #pragma once
 
 #include <crevice/device.h>
@@ -13,13 +13,38 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace crevice {
 
-/// Finds a function of the current context by its name, "glClear"; null when there is none.
-/// What `eglGetProcAddress` is wrapped in. Must not be empty.
-using GlLoader = std::function<void*(const char* name)>;
+/// Finds a function of the current context by its name, "glClear"; null when there is none. Made of
+/// `eglGetProcAddress`, `SDL_GL_GetProcAddress`, `glfwGetProcAddress`, or all else that takes a
+/// name and gives a pointer, to void or to a function. Must not be empty.
+class GlLoader {
+public:
+    GlLoader() = default;
+
+    template <class Find,
+              class = std::enable_if_t<std::is_pointer_v<std::invoke_result_t<Find&, const char*>>>>
+    GlLoader(Find find)
+    {
+        if constexpr (std::is_pointer_v<Find> || std::is_constructible_v<Find, std::nullptr_t>)
+            if (!find) return;
+        find_ = [find = std::move(find)](const char* name) mutable {
+            return reinterpret_cast<void*>(find(name));
+        };
+    }
+
+    void* operator()(const char* name) const { return find_(name); }
+
+    /// Whether it is made of something.
+    explicit operator bool() const { return static_cast<bool>(find_); }
+
+private:
+    std::function<void*(const char* name)> find_;
+};
 
 /// Where a host keeps linked programs between runs, so that the next run compiles none of them: in
 /// a folder, say, with a file for each. The library itself writes no file.
