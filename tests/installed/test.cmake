@@ -13,11 +13,29 @@ function(run)
 endfunction()
 
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix")
-# The example of the README is compiled as it stands there.
+# The code of the README and of docs/host.md is compiled as it stands there.
 file(READ "${SOURCE}/../../README.md" readme)
-string(REGEX MATCH "<!-- example.cpp -->\n```cpp\n(.*)" example "${readme}")
-string(REGEX REPLACE "\n```.*" "\n" example "${CMAKE_MATCH_1}")
-file(WRITE "${WORK}/example.cpp" "${example}")
+file(READ "${SOURCE}/../../docs/host.md" manual)
+foreach(kind cpp c)
+  string(REGEX MATCH "<!-- example[.]${kind} -->\n```${kind}\n(.*)" example "${readme}")
+  string(REGEX REPLACE "\n```.*" "\n" example "${CMAKE_MATCH_1}")
+  file(WRITE "${WORK}/example.${kind}" "${example}")
+endforeach()
+string(REGEX MATCH "\n```cpp\n(.*)" shown "${manual}")
+string(REGEX REPLACE "\n```.*" "\n" shown "${CMAKE_MATCH_1}")
+set(code "#include <crevice/effect.h>\n#include <crevice/gl_device.h>\nusing namespace crevice;
+extern std::unique_ptr<Effect> effect;\nStatus show(Extent size)\n{\n${shown}}\n")
+# Its loaders, as the headers that there are declare them.
+set(header_eglGetProcAddress EGL/egl.h)
+set(header_SDL_GL_GetProcAddress SDL2/SDL.h)
+set(header_glfwGetProcAddress GLFW/glfw3.h)
+string(REGEX MATCH "\n[|] loader [^\n]*" row "${manual}")
+string(REGEX MATCHALL "[A-Za-z_]+GetProcAddress" loaders "${row}")
+foreach(loader IN LISTS loaders)
+  string(APPEND code "#if __has_include(<${header_${loader}}>)\n#include <${header_${loader}}>
+GlLoader by_${loader} = ${loader};\nauto of_${loader} = makeGlDevice(${loader});\n#endif\n")
+endforeach()
+file(WRITE "${WORK}/manual.cpp" "${code}")
 
 # A host may have headers of the same names.
 foreach(name core/frame.h device.h frame.h plan.h text.h)
@@ -31,6 +49,8 @@ set(configure "${CMAKE_COMMAND}" -G Ninja -S "${SOURCE}" "-DEXAMPLE=${WORK}/exam
   -DCMAKE_BUILD_TYPE=Release)
 run(${configure} -B "${WORK}/build" "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
 run("${CMAKE_COMMAND}" --build "${WORK}/build")
+set(strict -std=c++17 -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Werror "-I${WORK}/prefix/include")
+run("${CXX}" ${strict} "${WORK}/manual.cpp")
 
 # The libraries are made by the tests already: here it is enough that all that they need is found.
 foreach(shared ON OFF)
@@ -78,7 +98,7 @@ if(pkg_config)
   set(ENV{LD_LIBRARY_PATH} "${pc_dir}/..")
   execute_process(COMMAND "${pkg_config}" --static --cflags --libs crevice OUTPUT_VARIABLE flags RESULT_VARIABLE code)
   separate_arguments(flags UNIX_COMMAND "${flags}")
-  run("${CC}" ${FLAGS} -std=c99 -pedantic -Wall -Wextra -Werror "${c_program}" -o "${WORK}/by_pkg_config" ${flags})
+  run("${CC}" ${FLAGS} -std=c99 -pedantic -Wall -Wextra -Werror "${c_program}" "${WORK}/example.c" -o "${WORK}/by_pkg_config" ${flags})
 else()
   message(STATUS "pkg-config is not here: crevice.pc is not tried")
 endif()
@@ -86,8 +106,7 @@ endif()
 # Every installed header must compile alone, so that none leans on one that stays behind; beside a host's
 # headers of the same names; and as the strictest host builds.
 file(WRITE "${WORK}/empty.cpp" "")
-set(compile "${CXX}" -std=c++17 -fsyntax-only -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wshadow -Werror
-  "-I${WORK}/host" "-I${WORK}/prefix/include" "${WORK}/empty.cpp")
+set(compile "${CXX}" ${strict} -fno-exceptions -fno-rtti "-I${WORK}/host" "${WORK}/empty.cpp")
 file(GLOB_RECURSE headers RELATIVE "${WORK}/prefix/include" "${WORK}/prefix/include/*.h")
 foreach(header IN LISTS headers)
   if(NOT header MATCHES "^crevice/[a-z_]+[.]h$")

@@ -39,7 +39,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/crevice.pc DESTINATION ${pc_dir} COMPO
 
 # The manual and the examples, laid out as here, so that links between them hold.
 set(manual ${CMAKE_INSTALL_DATADIR}/doc/libcrevice-dev)
-install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION ${manual} COMPONENT development)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE SECURITY.md DESTINATION ${manual} COMPONENT development)
 install(FILES tools/scripts/packages.txt DESTINATION ${manual}/tools/scripts COMPONENT development)
 install(DIRECTORY tests/installed DESTINATION ${manual}/tests COMPONENT development)
 install(DIRECTORY docs/ DESTINATION ${manual}/docs COMPONENT development
