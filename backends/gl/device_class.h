@@ -35,6 +35,7 @@ public:
     Result<TextureId> adoptTexture(const HostTexture& host) override;
     Status refresh(TextureId id) override;
     ClipControl clipControl() const override { return state_.clipControl(); }
+    DepthRange depthRange() const override { return state_.depthRange(); }
     ObjectInfo info(ObjectId id) const override;
     void destroy(ObjectId id) override;
     Status writeTexture(TextureId id, const Image& image) override;
@@ -74,6 +75,11 @@ private:
         int samples = 1;
         GlHostCopy copy;  // nothing where no copy is kept of the host's
 
+        /// Whether it is the host's own, which may have deleted it.
+        bool adopted() const
+        {
+            return owned.name() == 0 && renderbuffer.name() == 0 && copy.texture() == 0;
+        }
         GLenum target() const { return samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
     };
 
@@ -146,6 +152,7 @@ private:
 
     /// Keeps the errors of a call that returns none, for endFrame.
     void noteErrors(const char* what, const char* label = "");
+    void noteDeleted(GLuint name);
 
     GlApi gl_;
     GlInfo info_;

@@ -58,6 +58,16 @@ void GlDevice::noteErrors(const char* what, const char* label)
     append(errors_, status.diagnostics());
 }
 
+void GlDevice::noteDeleted(GLuint name)
+{
+    noteErrors("pass", pass_.label);
+    if (!errors_.empty()) return;
+    errors_ = {failure(Code::bad_input,
+                       "the host's texture " + std::to_string(name) + ", which pass '" +
+                           pass_.label + "' reads, is deleted",
+                       "hand over another one, by Effect::setTexture, before you delete it")};
+}
+
 void GlDevice::takeHostErrors()
 {
     noticeReset(gl_);
@@ -155,7 +165,11 @@ void GlDevice::setProgram(ProgramId id, const StateDesc& state)
 void GlDevice::setTexture(int location, int unit, TextureId id, const SamplerDesc& desc)
 {
     const TextureSlot& texture = textures_.at(id.value);
-    state_.bindTexture(unit, texture.name, sampler(desc, texture.format), texture.target());
+    // Asked before it is bound, which would make an empty texture of that name.
+    const bool gone = check_errors_ && texture.adopted() && !gl_.IsTexture(texture.name);
+    if (gone) noteDeleted(texture.name);
+    state_.bindTexture(unit, gone ? 0 : texture.name, sampler(desc, texture.format),
+                       texture.target());
     gl_.Uniform1i(location, unit);
 }
 

@@ -312,6 +312,13 @@ ClipControl GlState::clipControl() const
     return {depth == GL_ZERO_TO_ONE_EXT, origin == GL_UPPER_LEFT_EXT};
 }
 
+DepthRange GlState::depthRange() const
+{
+    GLfloat range[2] = {0, 1};
+    gl_.GetFloatv(GL_DEPTH_RANGE, range);
+    return {range[0], range[1]};
+}
+
 void GlState::restoreUnits()
 {
     for (int unit = 0; unit < kMaxTextureUnits; ++unit) {

@@ -70,6 +70,9 @@ public:
     /// The host's clip control now.
     ClipControl clipControl() const;
 
+    /// The host's depth range now, of the first viewport.
+    DepthRange depthRange() const;
+
     /// Binds to a unit and leaves that unit active.
     void bindTexture(int unit, GLuint texture, GLuint sampler, GLenum target = GL_TEXTURE_2D);
 

@@ -52,6 +52,7 @@ Window windowAt(const SceneTraits& traits, double distance)
                            ? 1 - window.depth
                            : (1 / distance - farthest) * distance * distance / window.slope;
     window.depth = std::clamp(window.depth, 0.0, 1.0);
+    window.slope /= camera.depth_share;
     return window;
 }
 

@@ -116,6 +116,11 @@ Status checkCamera(const Camera& camera, std::size_t view)
             ownedBy(view, "clip_from_view") +
                 " has w below 0 for what lies in front, along -z: nothing would be seen",
             along);
+    const DepthRange range = camera.depth_range.value_or(DepthRange());
+    if (!(std::abs(range.far_depth - range.near_depth) <= 1) ||
+        range == DepthRange{range.far_depth, range.near_depth})
+        return badInput(ownedBy(view, "depth range") + " has no extent, or more than from 0 to 1",
+                        "set Camera::depth_range to what glDepthRange was when depth was drawn");
     return check(camera.view_from_world, "view_from_world",
                  "its three axes must be independent and not 0");
 }
@@ -131,7 +136,8 @@ bool Camera::reversedDepth() const
 {
     // The sign of how depth changes with view z, which falls with distance.
     const glm::dmat4 m = uprightClip(*this);
-    return m[2][2] * m[3][3] - m[3][2] * m[2][3] > 0.0;
+    const DepthRange range = depth_range.value_or(DepthRange());
+    return (m[2][2] * m[3][3] - m[3][2] * m[2][3] > 0.0) != (range.far_depth < range.near_depth);
 }
 
 bool Camera::leftHanded() const
@@ -167,7 +173,11 @@ glm::dmat4 uprightClip(const Camera& camera)
 CameraMatrices cameraMatrices(const Camera& camera)
 {
     const glm::dmat3 turn = uprightTurn(camera);
-    const glm::dmat4 clip_from_view = uprightClip(camera);
+    glm::dmat4 rows = glm::transpose(uprightClip(camera));
+    const DepthRange range = camera.depth_range.value_or(DepthRange());
+    const double near = range.near_depth, far = range.far_depth;
+    rows[2] = (far - near) * rows[2] + (far + near - 1) * rows[3];
+    const glm::dmat4 clip_from_view = glm::transpose(rows);
     const glm::dmat4 view_from_world = glm::dmat4(turn) * camera.view_from_world;
     return {clip_from_view, glm::inverse(clip_from_view), view_from_world,
             glm::inverse(view_from_world), turn};

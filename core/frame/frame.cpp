@@ -68,6 +68,7 @@ bool CameraRange::operator==(const CameraRange& other) const
     };
     const bool both_endless = near_distance > 0 && endless(*this) && endless(other);
     return withinTwice(near_distance, other.near_distance) && withinTwice(zoom, other.zoom) &&
+           withinTwice(depth_share, other.depth_share) &&
            (both_endless || withinTwice(far_distance, other.far_distance));
 }
 
@@ -75,9 +76,11 @@ CameraRange rangeOf(const Camera& camera)
 {
     const glm::dmat4 m = uprightClip(camera);
     const double zoom = std::abs(m[1][1]);
-    if (camera.orthographic()) return {0, 2 / std::abs(m[2][2]), zoom};
+    const DepthRange range = camera.depth_range.value_or(DepthRange());
+    const double share = std::abs(double{range.far_depth} - range.near_depth);
+    if (camera.orthographic()) return {0, 2 / std::abs(m[2][2]), zoom, share};
     const double one = planeDistance(m, -1), other = planeDistance(m, 1);
-    return {std::min(one, other), std::max(one, other), zoom};
+    return {std::min(one, other), std::max(one, other), zoom, share};
 }
 
 SceneTraits steadyTraitsOf(const Frame& frame)

@@ -10,7 +10,8 @@
 namespace crevice {
 
 /// A camera's matrices and their inverses, in the view space of shaders: x points right and y up on
-/// the picture, and the view looks along -z.
+/// the picture, and the view looks along -z. Depth in clip space is twice that in the window,
+/// less 1.
 struct CameraMatrices {
     glm::dmat4 clip_from_view;
     glm::dmat4 view_from_clip;
@@ -22,7 +23,7 @@ struct CameraMatrices {
 /// Turns, flips and mirrors the host's view space into that of shaders; 1 where they are one.
 glm::dmat3 uprightTurn(const Camera& camera);
 
-/// `clip_from_view` of that space.
+/// `clip_from_view` of that space, with depth from -1 to 1.
 glm::dmat4 uprightClip(const Camera& camera);
 
 /// Frames are counted up to here and from 0 again, which keeps them exact in a mediump int.

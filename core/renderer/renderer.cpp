@@ -186,20 +186,30 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description d
     return {std::unique_ptr<Renderer>(new Renderer(std::move(made))), std::move(all)};
 }
 
-const Frame& Renderer::withClipControl(const Frame& frame)
+const Frame& Renderer::asHostDraws(const Frame& frame)
 {
-    const ClipControl host = state_->device->clipControl();
-    if (host == ClipControl()) return frame;
+    const Device& device = *state_->device;
+    const ClipControl control = device.clipControl();
+    // Where crevice alone draws depth, the host's range, one for its sky say, means nothing.
+    DepthRange range;
+    for (const ImportDesc& import : plan().imports)
+        if (import.type == ImportType::texture &&
+            formatInfo(formatFromName(import.format)).format_class == FormatClass::depth)
+            range = device.depthRange();
+    if (control == ClipControl() && range == DepthRange()) return frame;
     clipped_ = frame;
-    if (!clipped_.camera.clip_control) clipped_.camera.clip_control = host;
-    for (FrameView& view : clipped_.other_views)
-        if (!view.camera.clip_control) view.camera.clip_control = host;
+    const auto take = [&](Camera& camera) {
+        if (!camera.clip_control) camera.clip_control = control;
+        if (!camera.depth_range) camera.depth_range = range;
+    };
+    take(clipped_.camera);
+    for (FrameView& view : clipped_.other_views) take(view.camera);
     return clipped_;
 }
 
 Status Renderer::render(const Frame& given)
 {
-    const Frame& frame = withClipControl(given);
+    const Frame& frame = asHostDraws(given);
     const Status prepared = state_->prepare(frame);
     if (!prepared) return prepared;
     Diagnostics all = prepared.diagnostics();
@@ -209,7 +219,7 @@ Status Renderer::render(const Frame& given)
 
 Result<FrameTimes> Renderer::renderTimed(const Frame& given)
 {
-    const Frame& frame = withClipControl(given);
+    const Frame& frame = asHostDraws(given);
     const Status prepared = state_->prepare(frame);
     if (!prepared) return prepared.diagnostics();
     auto timed = state_->execution->runTimed(frame);

@@ -1,8 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "core/run/draw_warnings.h"
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
 namespace crevice {
 namespace {
+
+// Frames in a row that a camera which moves never makes by chance, and how much nearer the one of
+// two frames ago must be.
+constexpr int kTurns = 4;
+constexpr double kNearer = 4;
+
+/// How far two cameras are apart, in a number that grows with it. Jitter of a projection is no way.
+double wayBetween(const CameraMatrices& a, const CameraMatrices& b)
+{
+    double way = 0;
+    for (int i = 0; i < 4; ++i) way += glm::distance(a.view_from_world[i], b.view_from_world[i]);
+    for (int i = 0; i < 2; ++i) way += std::abs(a.clip_from_view[i][i] - b.clip_from_view[i][i]);
+    return way;
+}
 
 /// The first uniform block of a program, or null.
 const GlslUniform* blockOf(const PlanProgram& program)
@@ -13,6 +32,33 @@ const GlslUniform* blockOf(const PlanProgram& program)
 }
 
 }  // namespace
+
+DrawWarnings::DrawWarnings(const Plan& plan)
+    : plan_(plan),
+      remembers_(std::any_of(plan.targets.begin(), plan.targets.end(),
+                             [](const auto& target) { return target.history_texture >= 0; }))
+{
+}
+
+void DrawWarnings::look(const FrameHistory& two_ago, const FrameHistory& last,
+                        const CameraMatrices& now, int& turns)
+{
+    if (!remembers_) return;
+    const bool turned = two_ago.valid && last.valid &&
+                        wayBetween(two_ago.camera, now) * kNearer < wayBetween(last.camera, now);
+    turns = turned ? turns + 1 : 0;
+    if (turns < kTurns) return;
+    remembers_ = false;
+    found_.push_back({Code::bad_input,
+                      "two cameras take turns with the history of '" + plan_.config +
+                          "', so that each sees some of the other's occlusion",
+                      "make an effect for each camera, or draw them as views of one frame, by "
+                      "Frame::other_views",
+                      {},
+                      {},
+                      {},
+                      Severity::warning});
+}
 
 void DrawWarnings::add(const PlanPass& pass, const std::vector<UniformInfo>& active)
 {

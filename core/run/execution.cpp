@@ -193,6 +193,7 @@ bool Execution::beginView(const Frame& frame, PreparedView& view, const Camera& 
     else
         history.camera = matrices;
     view.camera = matrices;
+    warnings_.look(view.before, history, matrices, view.turns);
     view.before = history;
     setView(frame, view);
     history = {true, (history.frame_index + 1) % kFrameIndices, matrices};

@@ -115,6 +115,7 @@ private:
         FrameHistory history;  // for the next frame
         FrameHistory before;   // for this one
         CameraMatrices camera = {};
+        int turns = 0;  // frames in a row in which two cameras took turns
     };
 
     Execution(Device& device, Plan plan);

@@ -161,6 +161,8 @@ void Effect::setClipControl(const ClipControl& control)
     state_->frame.camera.clip_control = control;
 }
 
+void Effect::setDepthRange(const DepthRange& range) { state_->frame.camera.depth_range = range; }
+
 Status Effect::setTexture(std::string_view name, const HostTexture& host)
 {
     return setViewTexture(0, name, host);

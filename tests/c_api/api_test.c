@@ -62,6 +62,7 @@ static void check_nulls(void)
     EXPECT(none, crevice_effect_cut(NULL));
     EXPECT(none, crevice_effect_shift_origin(NULL, NULL));
     EXPECT(none, crevice_effect_set_clip_control(NULL, true, false));
+    EXPECT(none, crevice_effect_set_depth_range(NULL, 0, 1));
     EXPECT(none, crevice_effect_set_texture(NULL, "depth", NULL));
     EXPECT(none, crevice_effect_set_param(NULL, "radius", NULL, 1));
     EXPECT(none, crevice_effect_set_feature(NULL, "quality", NULL));

@@ -199,6 +199,7 @@ TEST_CASE_METHOD(CViews, "C API: each member of a view becomes that of a frame's
     std::iota(view.view_from_world, view.view_from_world + 16, 2.0);
     crevice_view two[] = {sized<crevice_view>(), view};
     need(crevice_effect_set_clip_control(effect, false, true));
+    need(crevice_effect_set_depth_range(effect, 1, 0.5f));
     need(crevice_effect_set_views(effect, two, 2));
     REQUIRE(frame().other_views.size() == 2);
     const Camera& first = frame().other_views[0].camera;
@@ -207,6 +208,10 @@ TEST_CASE_METHOD(CViews, "C API: each member of a view becomes that of a frame's
     CHECK(second.clip_from_view == glm::make_mat4(view.clip_from_view));
     CHECK(second.view_from_world == glm::make_mat4(view.view_from_world));
     CHECK(second.clip_control == ClipControl{false, true});
+    CHECK(second.depth_range == DepthRange{1, 0.5f});
     need(crevice_effect_set_clip_control(effect, true, false));
     CHECK(second.clip_control == ClipControl{true, false});
+    need(crevice_effect_set_depth_range(effect, 0, 0.5f));
+    CHECK(
+        (second.depth_range == frame().camera.depth_range && second.depth_range->near_depth == 0));
 }

@@ -51,6 +51,28 @@ struct HostDepth : GlFixture {
     GLuint name = 0;
 };
 
+/// Depth as it is drawn under a depth range.
+struct RangedDepth : HostDepth {
+    explicit RangedDepth(const DepthRange& of)
+    {
+        std::vector<float> depth;
+        for (int i = 0; i < kExtent.width * kExtent.height; ++i)
+            depth.push_back(of.near_depth +
+                            (of.far_depth - of.near_depth) * windowDepth(i / kExtent.width));
+        gl.DeleteTextures(1, &name);
+        name = depthTexture(gl, kExtent, depth);
+    }
+};
+
+float maxDifference(const Image& a, const Image& b)
+{
+    float most = 0;
+    REQUIRE(a.pixels.size() == b.pixels.size());
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        most = std::max(most, std::abs(a.pixels[i] - b.pixels[i]));
+    return most;
+}
+
 }  // namespace
 
 TEST_CASE("A host's depth gives an AO texture that is darker in the corner than on the wall")
@@ -64,6 +86,48 @@ TEST_CASE("A host's depth gives an AO texture that is darker in the corner than 
     CHECK(ao.at(32, corner) < 0.85f);
     CHECK(ao.at(32, kExtent.height - 2) > 0.95f);
     CHECK(host.gl.IsTexture(effect.nativeName("ao")));
+}
+
+TEST_CASE("Under any depth range of the host the same AO comes out, and the range is put back")
+{
+    const Image plain = [] {
+        HostDepth host;
+        return host.read(host.drawn().output("ao"));
+    }();
+    for (const DepthRange range :
+         {DepthRange{0, 0.5f}, {0.25f, 0.75f}, {1, 0}, {0, 0.125f}, {0.5f, 0}}) {
+        INFO(range.near_depth << " " << range.far_depth);
+        RangedDepth host(range);
+        host.gl.DepthRangef(range.near_depth, range.far_depth);
+        Effect effect = host.drawn();
+        CHECK(maxDifference(host.read(effect.output("ao")), plain) < 0.01f);
+        CHECK(host.device->depthRange() == range);
+        host.gl.DepthRangef(0, 1);
+        effect.setDepthRange(range);  // as it was when the depth was drawn
+        need(effect.render());
+        CHECK(maxDifference(host.read(effect.output("ao")), plain) < 0.01f);
+    }
+}
+
+TEST_CASE("A texture that the host deleted is an error with its name, until there is another")
+{
+    HostDepth host;
+    Effect effect = host.drawn();
+    const GLuint gone = host.name;
+    host.gl.DeleteTextures(1, &host.name);
+    for (int frame = 0; frame < 2; ++frame) {
+        const Status status = effect.render();
+        REQUIRE_FALSE(status.ok());
+        CHECK(onlyCode(status) == Code::bad_input);
+        CHECK_THAT(
+            status.diagnostics()[0].message,
+            Catch::Contains("texture " + std::to_string(gone)) && Catch::Contains("deleted"));
+        CHECK_FALSE(host.gl.IsTexture(gone));
+    }
+    host.name =
+        depthTexture(host.gl, kExtent, std::vector<float>(kExtent.width * kExtent.height, 1.0f));
+    need(effect.setTexture("depth", host.name, Format::depth32f, kExtent));
+    need(effect.render());
 }
 
 TEST_CASE("An effect follows what the host draws into its depth")

@@ -139,6 +139,67 @@ TEST_CASE("Under any clip control the same view is computed from the same window
     }
 }
 
+TEST_CASE("Under any depth range the window's near and far depth show the same planes")
+{
+    const glm::mat4 lens = glm::perspective(1.0f, 1.5f, 0.1f, 10.0f);
+    for (const DepthRange range : {DepthRange{0, 0.5f}, {1, 0}, {0, 0.1f}, {0.9f, 0.2f}}) {
+        INFO(range.near_depth << " " << range.far_depth);
+        Rig rig;
+        const bool told = GENERATE(false, true);
+        if (told) rig.effect.setDepthRange(range);
+        rig.device.setDepthRange(told ? DepthRange{0.3f, 0.6f} : range);
+        const glm::mat4 view = glm::make_mat4(rig.viewFromWindow(lens).data());
+        const auto z = [&view](float depth) {
+            const glm::vec4 at = view * glm::vec4(0.5f, 0.5f, depth, 1);
+            return at.z / at.w;
+        };
+        CHECK(z(range.near_depth) == Approx(-0.1));
+        CHECK(z(range.far_depth) == Approx(-10).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("A depth range of no extent is refused, and means nothing to what draws its own depth")
+{
+    Rig rig;
+    rig.device.setDepthRange({1, 1});
+    const Status refused = rig.effect.render();
+    REQUIRE(!refused);
+    CHECK(refused.diagnostics()[0].code == Code::bad_input);
+    CHECK_THAT(said(refused), Catch::Contains("depth range") && Catch::Contains("glDepthRange"));
+    Effect drawn = need(Effect::create(rig.device, "mobile", kExtent));
+    drawn.setProjection(kProjection);
+    need(drawn.render());
+}
+
+TEST_CASE("Two cameras that take turns with one history are warned of once, and one that moves not")
+{
+    enum class Kind { moving, turning, cut, jittered, still };
+    for (const Kind kind : {Kind::moving, Kind::turning, Kind::cut, Kind::jittered, Kind::still}) {
+        for (const char* config : {"mobile_temporal", "mobile"}) {
+            INFO(config << " " << static_cast<int>(kind));
+            RecordingDevice device;
+            Effect effect = need(Effect::create(device, config, kExtent));
+            int warnings = 0;
+            for (int i = 0; i < 12; ++i) {
+                float lens[16];
+                std::copy(std::begin(kProjection), std::end(kProjection), lens);
+                if (kind == Kind::jittered) lens[12] = i % 2 * 0.01f;
+                effect.setProjection(lens);
+                glm::dmat4 view(1.0);
+                view[3].x = kind == Kind::moving ? 0.1 * i : 0.001 * i;
+                if (kind == Kind::still) view[3].x = 0;
+                if (kind == Kind::turning || kind == Kind::cut) view[3].x += i % 2 * 0.06;
+                effect.setView(glm::value_ptr(view));
+                effect.frame().camera_cut = kind == Kind::cut;
+                const Status status = effect.render();
+                REQUIRE(status.ok());
+                warnings += said(status).find("take turns") != std::string::npos;
+            }
+            CHECK(warnings == (kind == Kind::turning && config != std::string("mobile")));
+        }
+    }
+}
+
 TEST_CASE("An effect hands out what an output is drawn into, and copies what no shader reads")
 {
     Rig rig;

@@ -61,6 +61,9 @@ public:
     /// What clipControl reports.
     void setClipControl(const ClipControl& control) { clip_control_ = control; }
 
+    /// What depthRange reports.
+    void setDepthRange(const DepthRange& range) { depth_range_ = range; }
+
     /// Gives the device timers: what slot 0, 1, ... will read, in milliseconds. Slots past the end
     /// read as void, and none at all takes the timers away.
     void setTimers(std::vector<double> times_ms)
@@ -92,6 +95,7 @@ public:
     Result<TextureId> adoptTexture(const HostTexture& host) override;
     Status refresh(TextureId id) override;
     ClipControl clipControl() const override { return clip_control_; }
+    DepthRange depthRange() const override { return depth_range_; }
 
     /// The native name of a texture that was not adopted is its id.
     ObjectInfo info(ObjectId id) const override;
@@ -203,6 +207,7 @@ private:
 
     DeviceCaps caps_;
     ClipControl clip_control_;
+    DepthRange depth_range_;
     std::map<std::uint32_t, Object> objects_;  // by id; the dead ones too, while the log names them
     std::uint32_t last_id_ = 0;                // ids are never used again
     std::vector<Record> records_;

@@ -195,6 +195,18 @@ struct ClipControl {
     }
 };
 
+/// The window depths of the near and the far plane: what glDepthRange sets. The first may be the
+/// greater one.
+struct DepthRange {
+    float near_depth = 0;  ///< [0, 1]
+    float far_depth = 1;   ///< [0, 1], and not near_depth.
+
+    bool operator==(const DepthRange& other) const
+    {
+        return near_depth == other.near_depth && far_depth == other.far_depth;
+    }
+};
+
 struct FramebufferDesc {
     std::string label = {};
     std::vector<TextureId> color = {};  ///< A null id leaves that location without a texture.
@@ -400,6 +412,9 @@ public:
 
     /// What glClipControl was last set to by the host.
     virtual ClipControl clipControl() const = 0;
+
+    /// What glDepthRange was last set to by the host.
+    virtual DepthRange depthRange() const = 0;
 
     /// What is known of an object of any kind, or that there is none.
     virtual ObjectInfo info(ObjectId id) const = 0;

@@ -83,6 +83,10 @@ struct Camera {
     /// Default: as the host's is when the frame is rendered; that of OpenGL for all else.
     std::optional<ClipControl> clip_control = {};
 
+    /// The depth range that the host's depth was drawn with. Default: as the host's is when the
+    /// frame is rendered, where a pass reads depth of the host's; else (0, 1).
+    std::optional<DepthRange> depth_range = {};
+
     /// True when the last row of `clip_from_view` is (0, 0, 0, 1), or a multiple of it.
     bool orthographic() const;
 
@@ -229,6 +233,7 @@ struct CameraRange {
     /// A length covers zoom / 2 of the view's height at distance 1, or anywhere in an orthographic
     /// view.
     double zoom = 0;
+    double depth_share = 1;  ///< What the planes lie apart in window depth.
 
     bool operator==(const CameraRange& other) const;
 };

@@ -125,8 +125,8 @@ private:
     struct State;
     explicit Renderer(std::unique_ptr<State> state);
 
-    /// The frame, with the host's clip control where its cameras have none.
-    const Frame& withClipControl(const Frame& frame);
+    /// The frame, with the host's clip control and depth range where its cameras have none.
+    const Frame& asHostDraws(const Frame& frame);
 
     std::unique_ptr<State> state_;
     Frame clipped_;  // the last frame that had to take it

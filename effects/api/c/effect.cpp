@@ -91,6 +91,13 @@ Status render(crevice_effect& effect)
     return status;
 }
 
+/// What views 1 and up have of view 0.
+void takeClip(const Frame& frame, Camera& camera)
+{
+    camera.clip_control = frame.camera.clip_control;
+    camera.depth_range = frame.camera.depth_range;
+}
+
 Status setViews(crevice_effect& effect, const crevice_view* views, int count)
 {
     const auto nothing = [](std::size_t, const crevice_view&) { return Status(); };
@@ -101,7 +108,7 @@ Status setViews(crevice_effect& effect, const crevice_view* views, int count)
         Camera& camera = frame.other_views[i].camera;
         camera.clip_from_view = glm::make_mat4(view.clip_from_view);
         camera.view_from_world = matrixOf(view.view_from_world);
-        camera.clip_control = frame.camera.clip_control;
+        takeClip(frame, camera);
         return Status();
     });
 }
@@ -212,8 +219,18 @@ crevice_error* crevice_effect_set_clip_control(crevice_effect* effect, bool zero
     return onEffect(effect, [&] {
         effect->effect->setClipControl({zero_to_one, upper_left});
         Frame& frame = effect->effect->frame();
-        for (FrameView& view : frame.other_views)
-            view.camera.clip_control = frame.camera.clip_control;
+        for (FrameView& view : frame.other_views) takeClip(frame, view.camera);
+        return Status();
+    });
+}
+
+crevice_error* crevice_effect_set_depth_range(crevice_effect* effect, float near_depth,
+                                              float far_depth)
+{
+    return onEffect(effect, [&] {
+        effect->effect->setDepthRange({near_depth, far_depth});
+        Frame& frame = effect->effect->frame();
+        for (FrameView& view : frame.other_views) takeClip(frame, view.camera);
         return Status();
     });
 }

@@ -71,6 +71,10 @@ public:
     /// were drawn with. Default: as it is when `render` is called.
     void setClipControl(const ClipControl& control);
 
+    /// The depth range (glDepthRange) that the host's depth was drawn with. Default: as it is when
+    /// `render` is called.
+    void setDepthRange(const DepthRange& range);
+
     /// Hands over a picture for an import of the config: a texture, a layer or part of one, a
     /// renderbuffer or the depth of a framebuffer. It stays the host's, and must be what it is said
     /// to be. Its content may change with every frame. A texture is read where it is; of all else

@@ -113,6 +113,14 @@ TEST_CASE_METHOD(BusyHost, "A device tells the clip control of the context")
     CHECK(device->clipControl() == ClipControl());
 }
 
+TEST_CASE_METHOD(BusyHost, "A device tells the depth range of the context")
+{
+    gl.DepthRangef(0.75f, 0.25f);
+    CHECK(device->depthRange() == DepthRange{0.75f, 0.25f});
+    gl.DepthRangef(0, 1);
+    CHECK(device->depthRange() == DepthRange());
+}
+
 TEST_CASE_METHOD(BusyHost, "An error that the host left is a warning of the next frame alone")
 {
     gl.Enable(0xFFFF);

@@ -33,6 +33,7 @@ public:
     }
     Status refresh(TextureId id) override { return device_.refresh(id); }
     ClipControl clipControl() const override { return device_.clipControl(); }
+    DepthRange depthRange() const override { return device_.depthRange(); }
     ObjectInfo info(ObjectId id) const override { return device_.info(id); }
     void destroy(ObjectId id) override { device_.destroy(id); }
     Status writeTexture(TextureId id, const Image& image) override

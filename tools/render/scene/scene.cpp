@@ -19,14 +19,14 @@ constexpr double kLeastNearOverFar = 1e-3;
 constexpr double kDepthMargin = 0.01;
 
 // How far in front of the camera the bounds begin and end.
-struct DepthRange {
+struct ClipDistances {
     double near_distance = 1e300;
     double far_distance = -1e300;
 };
 
-DepthRange depthRange(const glm::dmat4& view_from_world, const Bounds& bounds)
+ClipDistances depthRange(const glm::dmat4& view_from_world, const Bounds& bounds)
 {
-    DepthRange range;
+    ClipDistances range;
     for (int corner = 0; corner < 8; ++corner) {
         const double depth = -(view_from_world * glm::dvec4(bounds.corner(corner), 1.0)).z;
         range.near_distance = std::min(range.near_distance, depth);
@@ -39,12 +39,12 @@ DepthRange depthRange(const glm::dmat4& view_from_world, const Bounds& bounds)
     return range;
 }
 
-DepthRange clipDistances(const SceneCamera& camera, const Bounds& bounds)
+ClipDistances clipDistances(const SceneCamera& camera, const Bounds& bounds)
 {
     const bool complete = camera.orthographic || camera.near_distance > 0.0;
     if (camera.far_distance > camera.near_distance && complete)
         return {camera.near_distance, camera.far_distance};
-    DepthRange range = {0.1, 100.0};
+    ClipDistances range = {0.1, 100.0};
     if (!bounds.empty()) range = depthRange(camera.view_from_world, bounds);
     if (range.far_distance <= 0.0) range.far_distance = 1.0;  // all of it lies behind the camera
     const double least = camera.orthographic ? 0.0 : range.far_distance * kLeastNearOverFar;
@@ -80,7 +80,7 @@ glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& b
 {
     const double aspect =
         static_cast<double>(std::max(extent.width, 1)) / std::max(extent.height, 1);
-    const DepthRange range = clipDistances(camera, bounds);
+    const ClipDistances range = clipDistances(camera, bounds);
     const double half_height = camera.half_height, half_width = half_height * aspect;
     const glm::dmat4 centered =
         camera.orthographic ? glm::orthoRH_NO(-half_width, half_width, -half_height, half_height,

@@ -93,6 +93,7 @@ struct HostLife::Run {
         const glm::mat4 projection = glm::perspective(1.0f, 16.0f / 9.0f, 2.5f, 4.0f);
         effect->setProjection(glm::value_ptr(projection));
         effect->setClipControl({});
+        effect->setDepthRange({});
         if (kind.draws) return addDraws();
         need(effect->setTexture(kind.import, depth));
         after("setting a texture");

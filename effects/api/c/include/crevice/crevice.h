@@ -281,6 +281,12 @@ CREVICE_API crevice_error* crevice_effect_shift_origin(crevice_effect* effect, c
 CREVICE_API crevice_error* crevice_effect_set_clip_control(crevice_effect* effect, bool zero_to_one,
                                                            bool upper_left);
 
+/// The depth range (glDepthRange) that your depth was drawn with. Default: as it is when
+/// crevice_effect_render is called. Errors: of two depths that are the same, from
+/// crevice_effect_render (CV6011).
+CREVICE_API crevice_error* crevice_effect_set_depth_range(crevice_effect* effect, float near_depth,
+                                                          float far_depth);
+
 /// What a picture lies in.
 typedef enum crevice_texture_kind {
     CREVICE_TEXTURE,       ///< GL_TEXTURE_2D, or with samples GL_TEXTURE_2D_MULTISAMPLE,
