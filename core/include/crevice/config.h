@@ -219,8 +219,8 @@ struct ViewDesc : Named {
 /// takes a machine's memory.
 struct Limits {
     int files = 1024;   ///< JSON files, and GLSL files.
-    int passes = 256;   ///< Whether they run or not.
-    int targets = 256;  ///< Whether they are used or not.
+    int passes = 512;   ///< Whether they run or not.
+    int targets = 512;  ///< Whether they are used or not.
     /// Of all textures that the renderer makes at the size asked for, as textureBytes counts them.
     double bytes = 2147483648.0;
 };

@@ -62,7 +62,7 @@ void addLimitOption(CLI::App& app, Limits& limits)
 {
     app.add_option_function<std::vector<std::string>>(
            "--limit", [](const std::vector<std::string>&) {},
-           "Let a config ask for more, or for less: files=1024, passes=256, targets=256, "
+           "Let a config ask for more, or for less: files=1024, passes=512, targets=512, "
            "bytes=2147483648 (of its textures); may be repeated")
         ->type_name("NAME=COUNT")
         ->allow_extra_args(false)

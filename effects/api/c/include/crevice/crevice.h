@@ -207,7 +207,7 @@ typedef struct crevice_effect_desc {
     int output_count;
 
     /// What the config may ask for at most; 0 is the default. Files of JSON, and of GLSL (1024),
-    /// passes (256), targets (256), bytes of all textures (2 GiB). More is refused: CV1209.
+    /// passes (512), targets (512), bytes of all textures (2 GiB). More is refused: CV1209.
     int max_files, max_passes, max_targets;
     double max_bytes;
 } crevice_effect_desc;
