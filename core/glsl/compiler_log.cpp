@@ -7,6 +7,7 @@
 //   ARM                      0:5: L0001: Undefined variable 'foo'
 //   linkers                  error: vertex shader does not write `uv'
 #include "core/base/text.h"
+#include "core/glsl/compiler_words.h"
 #include "core/glsl/preprocessor.h"
 
 #include <algorithm>
@@ -89,21 +90,9 @@ bool saysNothing(std::string_view line)
 {
     constexpr std::string_view kHeading = " info";
     if (trimmed(line, "- \t").empty()) return true;
-    if (line.find("No code generated") != std::string_view::npos) return true;
+    for (const char* empty : {"No code generated", "compilation terminated"})
+        if (line.find(empty) != std::string_view::npos) return true;
     return line.size() > kHeading.size() && endsWith(line, kHeading);
-}
-
-/// The first name that the message quotes as `name', 'name' or "name"; empty when there is none.
-std::string_view quotedName(std::string_view message)
-{
-    for (std::size_t at = 0; (at = message.find_first_of("`'\"", at)) != std::string_view::npos;) {
-        std::size_t end = ++at;
-        while (end < message.size() && isWord(message[end])) ++end;
-        const char next = end < message.size() ? message[end] : ' ';
-        const bool closed = next == '\'' || next == '"' || next == '(';  // `g(int)'
-        if (end > at && closed) return message.substr(at, end - at);
-    }
-    return {};
 }
 
 /// The column of the author's line for one that Mesa counted after each run of spaces became one.
@@ -131,6 +120,18 @@ void refine(Place& place, std::string_view message)
     place.length = int(name.size());
 }
 
+/// Of the token that a compiler's line is, or of the name it quotes, which it may have read past.
+Place placeAt(const GlslStage& stage, const GlslTokens& tokens, std::size_t at,
+              std::string_view message)
+{
+    constexpr std::size_t kBack = 16;
+    const std::string_view name = quotedName(message);
+    const std::size_t last = std::min(at, tokens.size() - 1);
+    for (std::size_t i = last; i + kBack > last && i < tokens.size(); --i)
+        if (tokens[i].is(name)) return placeOf(tokens[i], stage.files);
+    return placeOf(tokens[last], stage.files);
+}
+
 Place placeIn(const GlslStage& stage, const LogLine& line)
 {
     Place place;
@@ -150,17 +151,6 @@ void join(std::string& message, std::string_view more)
     message += more;
 }
 
-/// The way out where the driver does not know a name: the nearest uniform, if any is near.
-std::string helpFor(const GlslStage& stage, std::string_view message)
-{
-    if (message.find("undeclared") == std::string_view::npos &&
-        message.find("undefined") == std::string_view::npos)
-        return {};
-    std::vector<std::string> names;
-    for (const GlslUniform& uniform : stage.uniforms) names.push_back(uniform.name);
-    return suggestName(quotedName(message), std::move(names), "uniforms of this stage");
-}
-
 /// What a mistake makes of the rest of its line is no mistake of its own.
 bool follows(const Diagnostics& diagnostics, const Diagnostic& next)
 {
@@ -171,6 +161,34 @@ bool follows(const Diagnostics& diagnostics, const Diagnostic& next)
 }
 
 }  // namespace
+
+std::string_view quotedName(std::string_view message)
+{
+    for (std::size_t at = 0; (at = message.find_first_of("`'\"", at)) != std::string_view::npos;) {
+        std::size_t end = ++at;
+        while (end < message.size() && isWord(message[end])) ++end;
+        const char next = end < message.size() ? message[end] : ' ';
+        const bool closed = next == '\'' || next == '"' || next == '(';  // `g(int)'
+        if (end > at && closed) return message.substr(at, end - at);
+    }
+    return {};
+}
+
+Diagnostics explainSpread(const GlslStage& stage, const GlslTokens& tokens, Code code,
+                          const std::string& log)
+{
+    Diagnostics diagnostics;
+    for (const std::string_view text : split(log, '\n')) {
+        const LogLine line = readLine(text);
+        if (!line.known || line.severity != Severity::error || saysNothing(text)) continue;
+        Diagnostic next{code, std::string(line.message), "", {stage.files.front()}};
+        if (line.line > 0 && !tokens.empty())
+            next.place = placeAt(stage, tokens, std::size_t(line.line) - 1, line.message);
+        sayPlainly(stage, tokens, next);
+        if (!follows(diagnostics, next)) diagnostics.push_back(std::move(next));
+    }
+    return diagnostics;
+}
 
 Diagnostics explainLog(const GlslStage& stage, Code code, const std::string& log)
 {
@@ -188,11 +206,12 @@ Diagnostics explainLog(const GlslStage& stage, Code code, const std::string& log
             join(diagnostics.back().message, line.message);
         } else {
             Diagnostic next{code, std::string(line.message), "", placeIn(stage, line)};
-            next.help = helpFor(stage, line.message);
             next.severity = line.severity;
             if (!follows(diagnostics, next)) diagnostics.push_back(std::move(next));
         }
     }
+    const SpreadStage tokens = spread(stage);
+    for (Diagnostic& each : diagnostics) sayPlainly(stage, tokens.tokens, each);
     if (unknown.empty() && diagnostics.empty()) unknown = "the driver gave no message";
     if (!unknown.empty()) diagnostics.push_back({code, unknown, "", placeIn(stage, {})});
     return diagnostics;

@@ -113,6 +113,8 @@ Result<double> redraw(const RenderOptions& options, Session& session, Descriptio
     Result<HostTextures> host = HostTextures::make(*session.open.device, description,
                                                    compile_options.extent, session.frame);
     if (!host) return host.diagnostics();
+    if (const Status right = checkShaders(session, description, compile_options); !right)
+        return right.diagnostics();
     const Status reloaded = session.renderer->reload(std::move(description), compile_options);
     if (!reloaded) return reloaded.diagnostics();
     session.host = std::move(*host);

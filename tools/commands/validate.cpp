@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// crevice validate: reads, decodes and plans configs with no GL at all.
+// crevice validate: reads, decodes and plans configs, and compiles their shaders, with no GL.
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
@@ -29,14 +29,14 @@ struct Checked {
 };
 
 /// The config, and where no variant was asked for, each of its variants.
-std::vector<Checked> check(ConfigOptions options, const SourceSet& sources)
+std::vector<Checked> check(ConfigOptions options, const SourceSet& sources, GlslCheck& shaders)
 {
     std::vector<Checked> checked = {
-        {options.config, options.variant, planForEveryScene(options, sources)}};
+        {options.config, options.variant, planForEveryScene(options, sources, shaders)}};
     if (!options.variant.empty() || !checked[0].plan) return checked;
     for (const std::string& variant : variantNames(sources, requestOf(options))) {
         options.variant = variant;
-        checked.push_back({options.config, variant, planForEveryScene(options, sources)});
+        checked.push_back({options.config, variant, planForEveryScene(options, sources, shaders)});
     }
     return checked;
 }
@@ -66,9 +66,11 @@ int validate(ValidateOptions options)
     if (options.all) options.configs = configNames(sources);
     nlohmann::json results = nlohmann::json::array();
     Diagnostics all;
+    GlslCheck shaders;
+    report(warnUnchecked(), false);
     for (const std::string& config : options.configs) {
         options.config = config;
-        for (const Checked& each : check(options, sources)) {
+        for (const Checked& each : check(options, sources, shaders)) {
             append(all, each.plan.diagnostics());
             if (!options.json) printText(each);
             results.push_back(toJson(each));

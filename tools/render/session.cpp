@@ -3,6 +3,7 @@
 #include "tools/render/session.h"
 
 #include "tools/commands/cli/output.h"
+#include "tools/render/device/glsl_check.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/read_output.h"
 #include "tools/render/view_diagnosis.h"
@@ -81,6 +82,13 @@ Result<std::vector<std::string>> exposeAll(std::vector<Picture>& pictures, Descr
     return names;
 }
 
+Status checkShaders(Session& session, const Description& description, const CompileOptions& options)
+{
+    Device& device = *session.open.device;
+    const Result<Plan> plan = compile(description, traitsOf(session.frame), device.caps(), options);
+    return plan ? GlslCheck().check(description, *plan, &device) : Diagnostics();
+}
+
 Result<Session> openSession(const RenderOptions& options, const SceneView& view,
                             Description description, const std::vector<std::string>& outputs,
                             Progress& progress)
@@ -104,6 +112,8 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     const Result<Frame> frame = session.host->frameOf(session.frame);
     if (!frame) return frame.diagnostics();
     progress.begin("compiling shaders");
+    if (const Status right = checkShaders(session, description, session.options); !right)
+        return right.diagnostics();
     const Clock::time_point start = Clock::now();
     Result<std::unique_ptr<Renderer>> created =
         Renderer::create(device, std::move(description), session.options, traitsOf(*frame));

@@ -66,8 +66,13 @@ struct Session {
     double create_ms = 0;  ///< What Renderer::create took, by the wall clock.
 };
 
+/// What glslang (tools/render/device/glsl_check.h) says of the shaders that a renderer of the
+/// session would draw the description with, and then its driver. A plan that fails is no error.
+Status checkShaders(Session& session, const Description& description,
+                    const CompileOptions& options);
+
 /// Uploads the scene and compiles the description, whose outputs of these names are kept.
-/// Errors: those of the context, the scene's objects and Renderer::create.
+/// Errors: those of the context, the scene's objects, checkShaders and Renderer::create.
 Result<Session> openSession(const RenderOptions& options, const SceneView& view,
                             Description description, const std::vector<std::string>& outputs,
                             Progress& progress);

@@ -3,10 +3,9 @@
 #include "tools/render/device/mediump_device.h"
 
 #include "tools/render/device/forwarding_device.h"
+#include "tools/render/device/glslang_stage.h"
 #include "tools/render/device/mediump_words.h"
 
-#include <glslang/Include/glslang_c_interface.h>
-#include <glslang/Public/resource_limits_c.h>
 #include <spirv_cross_c.h>
 
 #include <string>
@@ -19,21 +18,6 @@ using Words = std::vector<std::uint32_t>;
 
 constexpr std::string_view kOldVersion = "#version 300";
 constexpr std::string_view kNewVersion = "#version 310";
-
-/// Once a process.
-struct Glslang {
-    Glslang() { glslang_initialize_process(); }
-    ~Glslang() { glslang_finalize_process(); }
-};
-
-template <class T, void (*destroy)(T*)>
-struct Destroyer {
-    void operator()(T* object) const { destroy(object); }
-};
-using Shader =
-    std::unique_ptr<glslang_shader_t, Destroyer<glslang_shader_t, glslang_shader_delete>>;
-using Program =
-    std::unique_ptr<glslang_program_t, Destroyer<glslang_program_t, glslang_program_delete>>;
 
 Diagnostics explain(const GlslStage& stage, const std::string& log)
 {
@@ -52,38 +36,13 @@ std::string newerText(const GlslStage& stage)
     return isOld(stage) ? text.replace(0, kOldVersion.size(), kNewVersion) : text;
 }
 
-glslang_input_t inputOf(const std::string& text, glslang_stage_t kind)
-{
-    glslang_input_t input = {};
-    input.language = GLSLANG_SOURCE_GLSL;
-    input.stage = kind;
-    input.client = GLSLANG_CLIENT_OPENGL;
-    input.client_version = GLSLANG_TARGET_OPENGL_450;
-    input.target_language = GLSLANG_TARGET_SPV;
-    input.target_language_version = GLSLANG_TARGET_SPV_1_0;
-    input.code = text.c_str();
-    input.default_version = 310;
-    input.default_profile = GLSLANG_ES_PROFILE;
-    input.messages = GLSLANG_MSG_DEFAULT_BIT;
-    input.resource = glslang_default_resource();
-    return input;
-}
-
 Result<Words> spirvOf(const GlslStage& stage, glslang_stage_t kind)
 {
-    static const Glslang glslang;
-    const std::string text = newerText(stage);
-    const glslang_input_t input = inputOf(text, kind);
-    const Shader shader(glslang_shader_create(&input));
-    // SPIR-V wants numbers for all that GLSL finds by name.
-    glslang_shader_set_options(
-        shader.get(), GLSLANG_SHADER_AUTO_MAP_BINDINGS | GLSLANG_SHADER_AUTO_MAP_LOCATIONS);
-    if (!glslang_shader_preprocess(shader.get(), &input) ||
-        !glslang_shader_parse(shader.get(), &input))
-        return explain(stage, glslang_shader_get_info_log(shader.get()));
-    const Program program(glslang_program_create());
-    glslang_program_add_shader(program.get(), shader.get());
-    if (!glslang_program_link(program.get(), input.messages) ||
+    const ParsedStage parsed = parseStage(newerText(stage), kind, true);
+    if (!parsed.log.empty()) return explain(stage, parsed.log);
+    const GlslangProgram program(glslang_program_create());
+    glslang_program_add_shader(program.get(), parsed.shader.get());
+    if (!glslang_program_link(program.get(), GLSLANG_MSG_DEFAULT_BIT) ||
         !glslang_program_map_io(program.get()))
         return explain(stage, glslang_program_get_info_log(program.get()));
     glslang_program_SPIRV_generate(program.get(), kind);

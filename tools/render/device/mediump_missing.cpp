@@ -1,20 +1,36 @@
 // SPDX-License-Identifier: MIT
-// Stands in for the device that rewrites shaders where glslang or SPIRV-Cross was not found.
+// Stands in for what needs glslang where glslang or SPIRV-Cross was not found.
+#include "tools/render/device/glsl_check.h"
 #include "tools/render/device/mediump_device.h"
 
 namespace crevice {
+namespace {
 
-Result<std::unique_ptr<Device>> makeMediumpDevice(std::unique_ptr<Device>, Mediump)
+Diagnostic missing(const std::string& what)
 {
-    Diagnostic error = {
-        Code::no_backend,
-        "this build cannot choose a precision: glslang or SPIRV-Cross was not found"};
+    Diagnostic error = {Code::no_backend, what + ": glslang or SPIRV-Cross was not found"};
     error.help =
         "install them with 'apt-get install glslang-dev libspirv-cross-c-shared-dev' and "
         "run cmake again";
     return error;
 }
 
+}  // namespace
+
+Result<std::unique_ptr<Device>> makeMediumpDevice(std::unique_ptr<Device>, Mediump)
+{
+    return missing("this build cannot choose a precision");
+}
+
 bool canRewriteMediump() { return false; }
+
+Diagnostics warnUnchecked()
+{
+    Diagnostic warning = missing("this build does not compile shaders to check them");
+    warning.severity = Severity::warning;
+    return {warning};
+}
+
+Diagnostics GlslCheck::check(const Description&, const Plan&, Device*) { return {}; }
 
 }  // namespace crevice

@@ -64,29 +64,24 @@ Result<Plan> planFor(const Description& description, const SceneTraits& traits)
     return compile(description, traits, usualCaps(), options);
 }
 
-bool isSame(const Diagnostic& a, const Diagnostic& b)
-{
-    return a.code == b.code && a.pointer == b.pointer && a.message == b.message;
-}
-
 }  // namespace
 
-Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources)
+Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources,
+                               GlslCheck& shaders)
 {
     const Result<Description> description = loadDescription(options, sources);
     if (!description) return description.diagnostics();
-    Result<Plan> plan = planFor(*description, usualTraits());
-    Diagnostics errors = plan ? Diagnostics() : plan.diagnostics();
+    const Result<Plan> plan = planFor(*description, usualTraits());
+    Diagnostics errors = plan ? shaders.check(*description, *plan) : plan.diagnostics();
+    if (!options.variant.empty())
+        for (Diagnostic& error : errors)
+            error.notes.push_back({{}, "found with variant '" + options.variant + "'"});
     for (const Setting& setting : otherSettings()) {
         const Result<Plan> other = planFor(*description, setting.traits);
-        if (other) continue;
-        for (Diagnostic error : other.diagnostics()) {
-            const auto same = [&](const Diagnostic& each) { return isSame(each, error); };
-            if (error.severity != Severity::error ||
-                std::any_of(errors.begin(), errors.end(), same))
-                continue;
+        for (Diagnostic error : other ? shaders.check(*description, *other) : other.diagnostics()) {
+            if (error.severity != Severity::error) continue;
             error.notes.push_back({{}, "found with " + setting.what});
-            errors.push_back(std::move(error));
+            addOnce(errors, std::move(error));
         }
     }
     if (!errors.empty()) return errors;

@@ -5,6 +5,7 @@
 #include <crevice/compile.h>
 
 #include "tools/commands/cli/config_options.h"
+#include "tools/render/device/glsl_check.h"
 
 namespace crevice {
 
@@ -20,7 +21,8 @@ Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& so
 
 /// The same plan, once the config plans for every other scene and camera too: with each trait
 /// changed from `usualTraits`, and with all that a scene can have. Errors: also those of the other
-/// plans, each with a note that says where it was found.
-Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources);
+/// plans, and of `shaders` on all of them, each with a note that says where it was found.
+Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources,
+                               GlslCheck& shaders);
 
 }  // namespace crevice

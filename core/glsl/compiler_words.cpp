@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: MIT
+// The words are those of glslang and ANGLE, which have one origin, and of Mesa where it says much
+// the same.
+#include "core/glsl/compiler_words.h"
+
+#include "core/base/text.h"
+#include "core/glsl/preprocessor.h"
+
+#include <algorithm>
+
+namespace crevice {
+
+namespace {
+
+constexpr std::string_view kBuiltIn =
+    "void bool int uint float vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 bvec2 bvec3 bvec4 "
+    "mat2 mat3 mat4 sampler2D sampler2DMS uniform const radians degrees sin cos tan asin acos atan "
+    "sinh cosh tanh asinh acosh atanh pow exp log exp2 log2 sqrt inversesqrt abs sign floor trunc "
+    "round roundEven ceil fract mod modf min max clamp mix step smoothstep isnan isinf "
+    "floatBitsToInt floatBitsToUint intBitsToFloat uintBitsToFloat packSnorm2x16 unpackSnorm2x16 "
+    "packUnorm2x16 unpackUnorm2x16 packHalf2x16 unpackHalf2x16 length distance dot cross normalize "
+    "faceforward reflect refract matrixCompMult outerProduct transpose determinant inverse "
+    "lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual any all not textureSize "
+    "texture textureLod textureOffset texelFetch texelFetchOffset textureGrad textureGather dFdx "
+    "dFdy fwidth gl_Position gl_PointSize gl_VertexID gl_InstanceID gl_FragCoord gl_FrontFacing "
+    "gl_PointCoord gl_FragDepth";
+
+/// Names of older GLSL, of HLSL and of desktops.
+constexpr struct {
+    const char* name;
+    const char* instead;
+} kElsewhere[] = {
+    {"texture2D", "texture(...)"},
+    {"texture2DLod", "textureLod(...)"},
+    {"tex2D", "texture(...)"},
+    {"gl_FragColor", "an output of your own: layout(location = 0) out vec4 color;"},
+    {"gl_FragData", "outputs of your own: layout(location = 0) out vec4 color;"},
+    {"varying", "out in the vertex shader and in in the fragment shader"},
+    {"attribute", "in"},
+    {"sampler2DMS", "#version 310 es, which has it"},
+    {"saturate", "clamp(x, 0.0, 1.0)"},
+    {"lerp", "mix(...)"},
+    {"frac", "fract(...)"},
+    {"fmod", "mod(...)"},
+    {"rsqrt", "inversesqrt(...)"},
+    {"atan2", "atan(y, x)"},
+    {"ddx", "dFdx(...)"},
+    {"ddy", "dFdy(...)"},
+    {"mul", "a * b"},
+    {"float2", "vec2"},
+    {"float3", "vec3"},
+    {"float4", "vec4"},
+    {"half", "mediump float"},
+    {"double", "highp float"},
+};
+
+/// What a compiler says, what it is called here, and the way out; $ is the name it is about.
+constexpr struct {
+    const char* part;
+    const char* message;
+    const char* help;
+} kMessages[] = {
+    {"eserved word", "'$' is a word that GLSL ES keeps for itself", "take another name"},
+    {"redefinition", "'$' is declared twice", "rename one of them, or take it out"},
+    {"already has a body", "function '$' has two bodies", "rename one of them, or take it out"},
+    {"modify shader input", "'$' is an input, which nothing may write", "write to a copy of it"},
+    {"modify a uniform", "'$' is a uniform, which nothing may write", "write to a copy of it"},
+    {"modify a const", "this is const or a plain value, which nothing may write",
+     "write to a variable that is not const"},
+    {"wrong operand type no operation", "this operator does not take that type",
+     "compare: x > 0.0"},
+    {"location", "two outputs have one location", "number them: layout(location = 1) out ..."},
+    {"convert return value", "this is not of the type that the function returns",
+     "return that type, or change it"},
+    {"sampler/image types", "a sampler has to be a uniform or a parameter",
+     "read the uniform itself"},
+    {"non-constant initializer", "a const has to have a constant value", "leave out 'const'"},
+    {"array size must", "the size of an array has to be constant", "write a number or a #define"},
+    {"Types must match", "'$' has another type in the other shader", "declare it alike in both"},
+    {"qualifiers must match", "'$' is qualified otherwise in the other shader",
+     "declare it alike in both, as with 'highp' or 'flat'"},
+    {"default precision qualifier", "'$' has no precision in this shader",
+     "write below #version: precision highp $;"},
+    {"no such field", "the struct has no member '$'", "take one that its declaration has"},
+    {"boolean expression expected", "a condition has to be true or false", "compare: x > 0.0"},
+    {"function does not return a value", "function '$' can end without a return",
+     "end each way through it with a return"},
+    {"swizzle selection out of range", "the vector is too short for '.$'",
+     "take components that it has, such as .x or .xy"},
+    {"not enough data provided", "there are too few values for this vector or matrix",
+     "give one number for all components, or one for each"},
+    {"entry point", "the shader has no function main", "add: void main() { ... }"},
+    {"Recursion detected", "'$' calls itself, which GLSL has not", "write it as a loop"},
+};
+
+/// What a syntax error may say is wanted, what is most likely meant first.
+constexpr std::pair<const char*, const char*> kSigns[] = {
+    {"RIGHT_PAREN", ")"}, {"RIGHT_BRACKET", "]"}, {"LEFT_PAREN", "("}};
+
+bool has(std::string_view text, std::string_view part)
+{
+    return text.find(part) != std::string_view::npos;
+}
+
+bool isName(const GlslToken& token) { return token.kind == GlslToken::Kind::identifier; }
+
+bool isOneOf(const GlslToken& token, std::string_view signs)
+{
+    return token.text.size() == 1 && has(signs, token.text);
+}
+
+/// "vec3" for " temp highp 3-component vector of float".
+std::string plainType(std::string_view type)
+{
+    const std::string_view scalar = type.substr(type.find_last_of(" }") + 1);
+    const std::size_t vector = type.find("-component"), matrix = type.find(" matrix");
+    if (has(type, "structure{")) return "a struct";
+    if (matrix != type.npos) return "mat" + std::string(1, type[matrix - 1]);
+    if (vector == type.npos) return std::string(scalar);
+    return (scalar == "float" ? "" : std::string(scalar.substr(0, 1))) + "vec" + type[vector - 1];
+}
+
+bool isWhole(std::string_view type) { return type == "int" || type == "uint"; }
+
+/// The texts in quotes that follow `lead`.
+std::vector<std::string> typesAfter(std::string_view message, std::string_view lead)
+{
+    std::vector<std::string> types;
+    for (std::size_t at = 0; (at = message.find(lead, at)) != message.npos;) {
+        at += lead.size();
+        types.push_back(plainType(message.substr(at, message.find('\'', at) - at)));
+    }
+    return types;
+}
+
+/// Whether there may be a line's end between the two: not amid "+=", ".5" or "1e-5".
+bool isApart(const GlslToken& a, const GlslToken& b)
+{
+    using Kind = GlslToken::Kind;
+    if (a.line != b.line || a.column + int(a.text.size()) != b.column) return true;
+    if (a.kind == Kind::number) return lowerCase(a.text.substr(a.text.size() - 1)) != "e";
+    if (b.kind == Kind::number) return !a.is(".");
+    return a.kind != Kind::symbol || b.kind != Kind::symbol || isOneOf(a, "(){}[];,") ||
+           isOneOf(b, "(){}[];,");
+}
+
+class Speaker {
+public:
+    Speaker(const GlslStage& stage, const GlslTokens& tokens, Diagnostic& error)
+        : stage_(stage),
+          tokens_(tokens),
+          error_(error)
+    {
+        while (at_ < tokens.size() && !isHere(tokens[at_])) ++at_;
+    }
+
+    void run();
+
+private:
+    void say(std::string message, std::string help)
+    {
+        error_.message = std::move(message);
+        error_.help = std::move(help);
+    }
+
+    bool isHere(const GlslToken& token) const;
+    void pointAt(const GlslToken& token) { error_.place = placeOf(token, stage_.files); }
+    void syntax(const std::string& message);
+    void openBrace();
+    void unknown(const std::string& name, bool function);
+    void types(const std::string& message);
+    std::vector<std::string> names() const;
+    std::string signatures(std::string_view name) const;
+    std::string conversion(const std::string& given, const std::string& wanted) const;
+
+    const GlslStage& stage_;
+    const GlslTokens& tokens_;
+    Diagnostic& error_;
+    std::size_t at_ = 0;  ///< What the error points at; behind the last where at none.
+};
+
+bool Speaker::isHere(const GlslToken& token) const
+{
+    return token.file >= 0 && stage_.files[std::size_t(token.file)] == error_.place.source &&
+           token.line == error_.place.line && token.column == error_.place.column;
+}
+
+/// A missing semicolon belongs to where it is missing, which is behind what the compiler read last.
+void Speaker::syntax(const std::string& message)
+{
+    if (at_ == 0 || at_ >= tokens_.size()) return;
+    if (has(message, "end of file") || has(message, "$end")) return openBrace();
+    const GlslToken& found = tokens_[at_];
+    const GlslToken& last = tokens_[at_ - 1];
+    const GlslToken* next = at_ + 1 < tokens_.size() ? &found + 1 : nullptr;
+    int depth = 0, parens = 0;
+    for (std::size_t i = 0; i < at_; ++i) {
+        depth += tokens_[i].is("{") - tokens_[i].is("}");
+        parens += tokens_[i].is("(") - tokens_[i].is(")");
+    }
+    const bool word = isName(found) || found.kind == GlslToken::Kind::number;
+    const bool value = isName(last) || last.kind == GlslToken::Kind::number || isOneOf(last, ")]");
+    const std::string text(found.text), before(last.text);
+    const std::string wanted = message.substr(std::min(message.find("expecting"), message.size()));
+    if (depth <= 0 && found.is("}"))
+        return say("this '}' closes nothing", "take it out, or add the '{' that it is to close");
+    if (depth > 0 && found.is("{") && last.is(")")) return openBrace();
+    if (depth == 0 && isName(found) && next && next->is("(") && !value)
+        return say("function '" + text + "' has no return type", "write: float " + text + "(...)");
+    for (const auto& [name, sign] : kSigns)
+        if (has(wanted, name) || has(wanted, "'" + std::string(sign) + "'"))
+            return say("a '" + std::string(sign) + "' is missing before '" + text + "'",
+                       "add '" + std::string(sign) + "'");
+    const bool ends = has(wanted, "SEMICOLON") || has(wanted, "';'");
+    if (value && word && (parens > 0 || (!ends && last.line == found.line)))
+        return say("an operator or sign is missing between '" + before + "' and '" + text + "'",
+                   "add what is meant: + - * / , ; ...");
+    if ((value || ends) && (word || found.is("}"))) {
+        say("a ';' is missing behind '" + before + "'", "add ';'");
+        pointAt(last);
+        error_.place.column += error_.place.length;
+        error_.place.length = 1;
+        return;
+    }
+    say("'" + text + "' cannot stand here",
+        ends ? "';' could stand here" : "look at what stands before it");
+}
+
+/// The brace that does not close is the one whose line begins at another column than that of the
+/// brace which seems to close it.
+void Speaker::openBrace()
+{
+    std::vector<std::pair<const GlslToken*, int>> open;  // with the column of its line
+    const GlslToken* guilty = nullptr;
+    int column = 0;
+    for (std::size_t i = 0; i < at_; ++i) {
+        const GlslToken& token = tokens_[i];
+        const bool first = i == 0 || tokens_[i - 1].line != token.line;
+        if (first) column = token.column;
+        if (token.is("{")) open.push_back({&token, column});
+        if (!token.is("}") || open.empty()) continue;
+        if (first && !guilty && column < open.back().second) guilty = open.back().first;
+        open.pop_back();
+    }
+    if (open.empty()) return say("the text ends too early", "complete what its last line begins");
+    if (!guilty && tokens_[at_].is("{"))
+        return say("a function begins inside of another", "add the '}' that is missing above");
+    pointAt(guilty ? *guilty : *open.front().first);
+    say("this '{' is not closed", "add '}' where what it opens ends");
+}
+
+/// What is declared up to the error: for all, or in the function that it is in.
+std::vector<std::string> Speaker::names() const
+{
+    std::vector<std::string> names = stage_.defines_used;
+    for (const GlslUniform& uniform : stage_.uniforms) names.push_back(uniform.name);
+    for (const std::string_view name : split(kBuiltIn, ' ')) names.emplace_back(name);
+    std::vector<std::string> local;
+    int depth = 0;
+    for (std::size_t i = 1; i < std::min(at_, tokens_.size()); ++i) {
+        const GlslToken& token = tokens_[i];
+        depth += isOneOf(token, "({") - isOneOf(token, ")}");
+        if (depth == 0 && isOneOf(token, ";}")) local.clear();
+        if (isName(token) && isName(tokens_[i - 1]) && !tokens_[i - 1].is("return"))
+            (depth > 0 ? local : names).emplace_back(token.text);
+    }
+    names.insert(names.end(), local.begin(), local.end());
+    return names;
+}
+
+/// The functions of that name, as they are declared anywhere in the stage.
+std::string Speaker::signatures(std::string_view name) const
+{
+    std::string all;
+    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
+        if (!tokens_[i].is(name) || !isName(tokens_[i - 1]) || tokens_[i - 1].is("return") ||
+            !tokens_[i + 1].is("("))
+            continue;
+        all += all.empty() ? "" : "; ";
+        for (std::size_t k = i - 1; k < tokens_.size() && !isOneOf(tokens_[k], "{;"); ++k)
+            all += (k >= i && isName(tokens_[k]) && isName(tokens_[k - 1]) ? " " : "") +
+                   std::string(tokens_[k].text) + (tokens_[k].is(",") ? " " : "");
+    }
+    return all;
+}
+
+void Speaker::unknown(const std::string& name, bool function)
+{
+    const std::string declared = function ? signatures(name) : "";
+    const std::vector<std::string_view> built_in = split(kBuiltIn, ' ');
+    const bool known = std::find(built_in.begin(), built_in.end(), name) != built_in.end();
+    const std::vector<std::string> usable = names();
+    if (!declared.empty() && !contains(usable, name))
+        return say("'" + name + "' is called above its declaration",
+                   "move it up, or declare it above: " + declared + ";");
+    if (function && (known || !declared.empty()))
+        return say("no '" + name + "' takes these arguments",
+                   declared.empty() ? conversion("int", "float") : "declared: " + declared);
+    std::string help = suggestName(name, usable, "");
+    help.resize(has(help, "did you mean") ? help.find('?') + 1 : 0);
+    if (help.empty()) help = "declare it, or include the file that does";
+    if (contains(usable, name)) help = "it is declared in another block: declare it before both";
+    say("'" + name + "'" + std::string(kNotDeclared), help);
+}
+
+/// How to make `wanted` of `given`: by another form of the first whole number of the statement, if
+/// there is one.
+std::string Speaker::conversion(const std::string& given, const std::string& wanted) const
+{
+    std::size_t i = std::min(at_, tokens_.size());
+    while (i > 0 && !isOneOf(tokens_[i - 1], ";{}")) --i;
+    for (; given == "int" && i < tokens_.size() && !isOneOf(tokens_[i], ";{}"); ++i) {
+        const std::string text(tokens_[i].text);
+        if (text.find_first_not_of("0123456789") != text.npos || tokens_[i - 1].is("[")) continue;
+        return "write " + text + (wanted == "uint" ? "u" : ".0") + " for " + text +
+               ": GLSL ES converts nothing by itself";
+    }
+    if (has(given, "vec") && (wanted < given || !has(wanted, "vec")))
+        return "take as many of its components as are wanted: .x, .xy or .xyz";
+    return "GLSL ES converts nothing by itself: write " + wanted + "(...)";
+}
+
+void Speaker::types(const std::string& message)
+{
+    const std::vector<std::string> operands = typesAfter(message, "operand of type '");
+    const std::vector<std::string> from = typesAfter(message, "cannot convert from '");
+    const std::vector<std::string> to = typesAfter(message, "' to '");
+    if (operands.size() == 2)
+        say("'" + message.substr(message.find('\'') + 1, message.find("' ") - 1) +
+                "' does not take " + operands[0] + " and " + operands[1],
+            operands[0] == operands[1] ? "it is for other types; % of floats is mod(a, b)"
+            : isWhole(operands[0])     ? conversion(operands[0], operands[1])
+            : isWhole(operands[1])     ? conversion(operands[1], operands[0])
+                                       : "bring both to one size: float(...), vec4(v, 1.0), .xyz");
+    else if (!from.empty() && !to.empty())
+        say("this is " + from[0] + ", wanted " + to[0], conversion(from[0], to[0]));
+}
+
+void Speaker::run()
+{
+    const std::string message = error_.message;
+    std::string name(quotedName(message));
+    if (name == "assign" || name == "constructor" || name.empty())
+        name = quotedName(message.substr(std::min(message.find(" : "), message.size())));
+    if (has(message, "not return a value: ")) name = message.substr(message.rfind(' ') + 1);
+    for (const auto& each : kElsewhere)
+        if (name == each.name)
+            return say("GLSL ES 3 has no '" + name + "'", "write " + std::string(each.instead));
+    if (has(message, "syntax error")) return syntax(message);
+    const bool call = has(message, "no matching overloaded") || has(message, "no function with");
+    if (call || has(message, "undeclared") || has(message, "undefined variable"))
+        return unknown(name, call);
+    if (has(message, "of type '") || has(message, "cannot convert from '")) return types(message);
+    for (const auto& each : kMessages) {
+        if (!has(message, each.part)) continue;
+        say(each.message, each.help);
+        for (std::string* text : {&error_.message, &error_.help})
+            if (const std::size_t at = text->find('$'); at != text->npos)
+                text->replace(at, 1, name);
+        return;
+    }
+}
+
+}  // namespace
+
+SpreadStage spread(const GlslStage& stage)
+{
+    SpreadStage spread;
+    int file = -1, offset = 0;  // of the author's lines; nowhere above the first #line
+    for (const GlslLine& line : glslLines(stage.text, 0)) {
+        const GlslTokens& tokens = line.tokens;
+        if (line.isDirective() && line.directive() == "line" && tokens.size() > 3) {
+            file = int(evaluate(&tokens[3], &tokens[3] + 1).value_or(0));
+            offset = int(evaluate(&tokens[2], &tokens[2] + 1).value_or(0)) % kLinesPerFile -
+                     line.line - line.count;
+            continue;
+        }
+        const auto place = [&](GlslToken token) {
+            token.file = file;
+            token.line += offset;
+            spread.tokens.push_back(token);
+        };
+        if (line.isDirective()) {
+            spread.text += line.text;
+            for (int i = 0; i < line.count; ++i) place(tokens[0]);
+            continue;
+        }
+        for (std::size_t i = 0; i < tokens.size(); ++i) {
+            const bool apart = i == 0 || isApart(tokens[i - 1], tokens[i]);
+            if (apart) place(tokens[i]);
+            if (apart && !spread.text.empty() && spread.text.back() != '\n') spread.text += '\n';
+            spread.text += tokens[i].text;
+        }
+        if (!tokens.empty()) spread.text += '\n';
+    }
+    return spread;
+}
+
+void sayPlainly(const GlslStage& stage, const GlslTokens& tokens, Diagnostic& error)
+{
+    Speaker(stage, tokens, error).run();
+}
+
+}  // namespace crevice
