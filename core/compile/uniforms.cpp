@@ -138,7 +138,8 @@ void reportUnbound(State& state, const Pass& pass, const GlslUniform& uniform,
     const std::string help =
         draws_only ? "make the pass a draw, or drop the uniform"
                    : suggestName(name, namesFor(state.description, *pass.desc, texture),
-                                 texture ? "textures" : "values");
+                                 texture ? "textures" : "values") +
+                         "; or declare it under '" + (texture ? "targets'" : "params'");
     Diagnostic& error = reportGlsl(state, Code::uniform_unbound, quoted(pass) + ": " + what, pass,
                                    uniform.place, help);
     for (const Named& each : state.description.deleted)

@@ -138,10 +138,8 @@ bool isApart(const GlslToken& a, const GlslToken& b)
 {
     using Kind = GlslToken::Kind;
     if (a.line != b.line || a.column + int(a.text.size()) != b.column) return true;
-    if (a.kind == Kind::number) return lowerCase(a.text.substr(a.text.size() - 1)) != "e";
-    if (b.kind == Kind::number) return !a.is(".");
-    return a.kind != Kind::symbol || b.kind != Kind::symbol || isOneOf(a, "(){}[];,") ||
-           isOneOf(b, "(){}[];,");
+    if (a.kind == Kind::number) return lowerCase(a.text).back() != 'e';
+    return isName(a) || isName(b) || isOneOf(a, "(){}[];,") || isOneOf(b, "(){}[];,");
 }
 
 class Speaker {
@@ -233,7 +231,7 @@ void Speaker::openBrace()
     std::vector<std::pair<const GlslToken*, int>> open;  // with the column of its line
     const GlslToken* guilty = nullptr;
     int column = 0;
-    for (std::size_t i = 0; i < at_; ++i) {
+    for (std::size_t i = 0; i <= at_; ++i) {
         const GlslToken& token = tokens_[i];
         const bool first = i == 0 || tokens_[i - 1].line != token.line;
         if (first) column = token.column;

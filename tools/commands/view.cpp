@@ -52,12 +52,15 @@ Result<SiteView> loadView(const ViewOptions& options)
     return {std::move(view), scene.diagnostics()};
 }
 
-/// Tells the pages of edits, until it is interrupted.
+/// Tells the pages of edits, and the terminal what is wrong after them, until it is interrupted.
 void watch(UserFiles& files, Events& events)
 {
     constexpr std::chrono::milliseconds kPause(100);  // below what a person notices after a save
-    for (; !interrupted(); std::this_thread::sleep_for(kPause))
-        for (const UserFile& file : files.changes()) events.push("file", fileEvent(file));
+    for (; !interrupted(); std::this_thread::sleep_for(kPause)) {
+        const std::vector<UserFile> changes = files.changes();
+        for (const UserFile& file : changes) events.push("file", fileEvent(file));
+        if (!changes.empty()) report(files.check(), false);
+    }
 }
 
 void showAddress(const std::string& address, bool no_browser)

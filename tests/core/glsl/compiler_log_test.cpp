@@ -62,7 +62,7 @@ TEST_CASE("each vendor's error is found at the author's line")
         CHECK(found.find("rror:") == std::string::npos);
         CHECK(found.back() != '.');
     }
-    CHECK(only(kLogs[1]) == "main.frag:5:19+3 C1503: undefined variable \"foo\"");
+    CHECK(only(kLogs[1]) == "main.frag:5:19+3 'foo' is not declared");
 }
 
 TEST_CASE("an error in an included file is found there, whichever source string the driver gives")

@@ -29,40 +29,24 @@ struct CheckedStage {
     }
 };
 
-/// What the stage declares at its outermost level with `qualifier`: names, and where they stand.
-std::vector<const GlslToken*> declared(const CheckedStage& checked, std::string_view qualifier)
-{
-    std::vector<const GlslToken*> names;
-    const GlslTokens& tokens = checked.spread.tokens;
-    int depth = 0;
-    bool qualified = false;
-    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-        depth += tokens[i].is("{") + tokens[i].is("(") - tokens[i].is("}") - tokens[i].is(")");
-        if (depth == 0 && tokens[i].is(qualifier)) qualified = true;
-        if (qualified && (tokens[i + 1].is(";") || tokens[i + 1].is("["))) {
-            names.push_back(&tokens[i]);
-            qualified = false;
-        }
-    }
-    return names;
-}
-
 /// Inputs that the fragment shader uses and the vertex shader does not write, which glslang lets
 /// pass.
 Diagnostics missingInputs(const CheckedStage& vertex, const CheckedStage& fragment)
 {
-    std::vector<std::string> outputs;
-    for (const GlslToken* each : declared(vertex, "out")) outputs.emplace_back(each->text);
+    const std::vector<std::string> outputs = namesOf(vertex.stage.outputs);
+    const GlslTokens& tokens = fragment.spread.tokens;
     Diagnostics errors;
-    for (const GlslToken* each : declared(fragment, "in")) {
-        const std::string name(each->text);
-        const auto uses =
-            std::count_if(fragment.spread.tokens.begin(), fragment.spread.tokens.end(),
-                          [&](const GlslToken& token) { return token.is(name); });
-        if (uses > 1 && !contains(outputs, name))
-            errors.push_back(
-                {Code::shader_link, "'" + name + "' comes in from no output of the vertex shader",
-                 suggestName(name, outputs, "outputs"), placeOf(*each, fragment.stage.files)});
+    for (std::size_t i = 3; i + 1 < tokens.size(); ++i) {
+        const std::string name(tokens[i].text);
+        const auto same = [&](const GlslToken& token) { return token.is(name); };
+        const bool input =
+            tokens[i + 1].is(";") && (tokens[i - 2].is("in") || tokens[i - 3].is("in"));
+        if (!input || contains(outputs, name) ||
+            std::count_if(tokens.begin(), tokens.end(), same) == 1)
+            continue;
+        errors.push_back(
+            {Code::shader_link, "'" + name + "' comes in from no output of the vertex shader",
+             suggestName(name, outputs, "outputs"), placeOf(tokens[i], fragment.stage.files)});
     }
     return errors;
 }

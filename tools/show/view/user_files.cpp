@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/render/image/image_file.h"
+#include "tools/show/plan/planning.h"
 
 #include <algorithm>
 
@@ -136,6 +137,10 @@ std::vector<UserFile> UserFiles::changes()
     return files;
 }
 
-Diagnostics UserFiles::check() const { return loadDescription(options_, shipped_).diagnostics(); }
+Diagnostics UserFiles::check() const
+{
+    GlslCheck shaders;
+    return planForEveryScene(options_, shipped_, shaders).diagnostics();
+}
 
 }  // namespace crevice

@@ -56,7 +56,7 @@ public:
     /// named since. To be asked several times a second.
     std::vector<UserFile> changes();
 
-    /// What is wrong with the config.
+    /// What is wrong with the config and its shaders, as planForEveryScene has it.
     Diagnostics check() const;
 
 private:

@@ -43,8 +43,9 @@ TEST_CASE("A pass that fails in some scene or under some camera fails to validat
           R"("scene.baked_occlusion": true)", R"("scene.material_ambient": true)",
           R"("scene.baked_occlusion": true, "scene.normal_mapped": true)"}) {
         INFO(condition);
+        GlslCheck shaders;
         const Result<Plan> plan =
-            planForEveryScene(brokenWhere(folder, condition), shippedSources());
+            planForEveryScene(brokenWhere(folder, condition), shippedSources(), shaders);
         CHECK_FALSE(plan.ok());
         REQUIRE(plan.diagnostics().size() == 1);
         CHECK(plan.diagnostics()[0].code == Code::uniform_unbound);

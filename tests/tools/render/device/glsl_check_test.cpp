@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// GLSL that no compiler takes is refused without one of the driver's, at its line and with a way
+// out.
+#include "tools/render/device/glsl_check.h"
+
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_config.h"
+#include "tools/show/plan/planning.h"
+
+#include <crevice/shipped.h>
+
+using namespace crevice;
+
+namespace {
+
+constexpr const char* kConfig = R"({"format": 1,
+    "imports": {"depth": {"type": "texture"}},
+    "params": {"radius": {"type": "float", "default": 0.5, "min": 0, "max": 1}},
+    "targets": {"ao": {"format": ["r8"]}, "two": {"format": ["r8"]}},
+    "shaders": {"x": {"vertex": "x.vert", "fragment": "x.frag"},
+                "y": {"vertex": "x.vert", "fragment": "y.frag"}},
+    "passes": {"x": {"type": "fullscreen", "shader": "x", "color": ["ao"]},
+               "y": {"type": "fullscreen", "shader": "y", "color": ["two"]}},
+    "outputs": {"ao": "ao", "two": "two"}})";
+
+constexpr const char* kVertex =
+    "#version 300 es\nout highp vec2 uv;\n"
+    "void main() { uv = vec2(gl_VertexID); gl_Position = vec4(uv, 0.0, 1.0); }\n";
+
+constexpr const char* kRight =
+    "#version 310 es\nprecision highp float;\n#include \"part.glsl\"\nin vec2 uv;\n"
+    "layout(location = 0) out float two;\nvoid main() { two = part(uv.x); }\n";
+
+constexpr const char* kPart = "float part(float x)\n{\n    return x;\n}\n";
+
+Diagnostics errorsOf(const std::string& fragment, const std::string& vertex = kVertex,
+                     const std::string& part = kPart)
+{
+    const Description description = describe(
+        kConfig,
+        {{"x.vert", vertex}, {"x.frag", fragment}, {"y.frag", kRight}, {"part.glsl", part}});
+    const Plan plan =
+        need(compile(description, usualTraits(), usualCaps(), {Extent{64, 64}, {}, {}}));
+    return GlslCheck().check(description, plan);
+}
+
+// The body begins in line 9.
+std::string shader(const std::string& body)
+{
+    return "#version 300 es\nprecision highp float;\nuniform highp sampler2D depth;\n"
+           "uniform float radius;\nin vec2 uv;\nlayout(location = 0) out float ao;\n"
+           "float half_of(vec2 p) { return p.x * 0.5; }\n"
+           "float last() { return radius + texture(depth, uv).r; }\n" +
+           body;
+}
+
+struct Mistake {
+    const char* body;
+    const char* place;
+    const char* cause;
+    const char* way_out;
+};
+
+const Mistake kMistakes[] = {
+    {"void main() {\n  float a = radius\n  ao = a;\n}", "10:19", "';'", "add ';'"},
+    {"struct S { float a; }\nvoid main() { ao = 1.0; }", "9:22", "';'", "add ';'"},
+    {"void main() {\n  ao = raduis;\n}", "10:8", "'raduis' is not", "did you mean 'radius'"},
+    {"void main() {\n  ao = half_off(uv);\n}", "10:8", "'half_off' is not", "'half_of'"},
+    {"void main() {\n  { float hit = 1.0; }\n  ao = hit;\n}", "11:8", "'hit' is not", "block"},
+    {"void main() {\n  ao = radius / 5;\n}", "10:15", "float and int", "5.0"},
+    {"void main() {\n  uint u = 3;\n}", "10:8", "int, wanted uint", "3u"},
+    {"void main() {\n  vec3 v = uv;\n}", "10:8", "vec2, wanted vec3", "vec3"},
+    {"void main() {\n  ao = texture(depth, uv);\n}", "10:6", "vec4, wanted float", ".x"},
+    {"void main() {\n  ao = texture2D(depth, uv).r;\n}", "10:8", "'texture2D'", "texture("},
+    {"varying vec2 other;\nvoid main() {}", "9:1", "'varying'", "out in the vertex"},
+    {"void main() {\n  ao = half_of(uv, 1.0);\n}", "10:8", "arguments", "float half_of(vec2 p)"},
+    {"void main() {\n  ao = pow(radius, 2);\n}", "10:8", "arguments", "2.0"},
+    {"void main() {\n  ao = below(1.0);\n}\nfloat below(float x) { return x; }", "10:8",
+     "above its declaration", "float below(float x);"},
+    {"twice(float x) { return x; }\nvoid main() {}", "9:1", "no return type", "float twice("},
+    {"float f() { ao = 1.0; }\nvoid main() {}", "9:9", "'f' can end without", "return"},
+    {"void main() {\n  float a = 1.0;\n  float a = 2.0;\n}", "11:9", "'a' is declared twice", ""},
+    {"void main() {\n  uv = vec2(0.0);\n}", "10:6", "'uv' is an input", "copy"},
+    {"void main() {\n  if (radius) ao = 1.0;\n}", "10:3", "true or false", "x > 0.0"},
+    {"void main() {\n  float input = 1.0;\n}", "10:9", "'input'", "another name"},
+    {"void main() {\n  ao = (1.0 + radius;\n}", "10:21", "')'", "add ')'"},
+    {"void main() {\n  if (radius > 0.0) {\n    ao = 1.0;\n}", "10:21", "'{'", "add '}'"},
+    {"float f() {\n  if (radius > 0.0) {\n  return 1.0;\n}\nvoid main() { ao = f(); }", "10:21",
+     "'{'", "add '}'"},
+    {"void main() {}\n}", "10:1", "'}' closes nothing", "take it out"},
+    {"void f() {}", "9:11", "no function main", "void main()"},
+    {"float f(float x);\nfloat g(float x) { return f(x); }\nfloat f(float x) { return g(x); }\n"
+     "void main() { ao = f(1.0); }",
+     "9:7", "calls itself", "loop"},
+};
+
+std::string numbersOf(const Place& place)
+{
+    return std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
+}  // namespace
+
+TEST_CASE("Each usual mistake in a shader is one error with its place, its cause and a way out")
+{
+    if (!warnUnchecked().empty()) return;
+    CHECK(errorsOf(shader("void main() { ao = last() + 1e-5 + .5; ao += half_of(uv); }")).empty());
+    for (const Mistake& each : kMistakes) {
+        const Diagnostics errors = errorsOf(shader(each.body));
+        INFO(each.body << "\n" << toText(errors));
+        REQUIRE(errors.size() == 1);
+        const bool linked = errors[0].message.find("main") != std::string::npos ||
+                            errors[0].message.find("calls") != std::string::npos;
+        CHECK(errors[0].code == (linked ? Code::shader_link : Code::shader_compile));
+        CHECK(errors[0].place.source->name == "x.frag");
+        CHECK(numbersOf(errors[0].place) == each.place);
+        CHECK(errors[0].message.find(each.cause) != std::string::npos);
+        CHECK(errors[0].help.find(each.way_out) != std::string::npos);
+        CHECK(errors[0].pointer == "/shaders/x");
+    }
+}
+
+TEST_CASE("A float without a precision is refused, which some drivers take")
+{
+    if (!warnUnchecked().empty()) return;
+    const Diagnostics errors = errorsOf(
+        "#version 300 es\nuniform float radius;\nlayout(location = 0) out mediump float "
+        "ao;\nvoid main() { ao = radius; }\n");
+    REQUIRE(errors.size() == 1);
+    CHECK(errors[0].place.line == 2);
+    CHECK(errors[0].help.find("precision highp float;") != std::string::npos);
+}
+
+TEST_CASE("Stages that do not fit are refused at the input that does not")
+{
+    if (!warnUnchecked().empty()) return;
+    const std::string fragment = shader("void main() { ao = uv.x; }");
+    const std::string start = "#version 300 es\n", end = " gl_Position = vec4(1.0); }\n";
+    for (const std::string& vertex :
+         {start + "out highp vec2 vu;\nvoid main() { vu = vec2(1.0);" + end,
+          start + "out highp vec3 uv;\nvoid main() { uv = vec3(1.0);" + end}) {
+        Diagnostics errors = errorsOf(fragment, vertex);
+        INFO(toText(errors));
+        errors.erase(std::remove_if(errors.begin(), errors.end(),
+                                    [](const Diagnostic& each) {
+                                        return each.place.source->name != "x.frag";
+                                    }),
+                     errors.end());
+        REQUIRE(errors.size() == 1);
+        CHECK(errors[0].code == Code::shader_link);
+        CHECK(numbersOf(errors[0].place) == "5:9");
+        CHECK(errors[0].message.find("'uv'") != std::string::npos);
+        CHECK_FALSE(errors[0].help.empty());
+    }
+}
+
+TEST_CASE("A mistake in a file that two shaders include is reported once, in that file")
+{
+    if (!warnUnchecked().empty()) return;
+    const std::string fragment =
+        "#version 310 es\nprecision highp float;\n#include \"part.glsl\"\nin vec2 uv;\n"
+        "layout(location = 0) out float ao;\nvoid main() { ao = part(uv.y); }\n";
+    const Diagnostics errors =
+        errorsOf(fragment, kVertex, "\nfloat part(float x)\n{\n    return y;\n}\n");
+    REQUIRE(errors.size() == 1);
+    CHECK(placeName(errors[0].place) == "part.glsl:4:12");
+}
+
+TEST_CASE("A function of a file that a shader does not include names the file")
+{
+    if (!warnUnchecked().empty()) return;
+    const Diagnostics errors = errorsOf(shader("void main() { ao = part(uv.x); }"));
+    REQUIRE(errors.size() == 1);
+    CHECK(errors[0].help.find("#include \"part.glsl\"") != std::string::npos);
+}
+
+TEST_CASE("A mistake that one variant or one scene alone compiles is found, and which one is said")
+{
+    if (!warnUnchecked().empty()) return;
+    const TemporaryFolder folder("glsl_check");
+    folder.write("x.frag",
+                 "#version 300 es\nprecision highp float;\nin vec2 uv;\n"
+                 "layout(location = 0) out float ao;\nvoid main()\n{\n    ao = uv.x;\n"
+                 "#if STEPS == 4\n    ao = steps;\n#endif\n"
+                 "#if CAMERA_ORTHOGRAPHIC\n    ao = width;\n#endif\n}\n");
+    const auto errorsOfVariant = [&](const std::string& variant) {
+        ConfigOptions options;
+        options.config = folder.write("x.json", R"({"format": 1,
+            "params": {"steps": {"type": "int", "default": 2, "min": 1, "max": 4,
+                                 "bind": "define"}},
+            "targets": {"ao": {"format": ["r8"]}},
+            "shaders": {"x": {"vertex": "common/fullscreen.vert", "fragment": "./x.frag"}},
+            "passes": {"x": {"type": "fullscreen", "shader": "x", "color": ["ao"]}},
+            "outputs": {"ao": "ao"}, "variants": {"more": {"params": {"steps": 4}}}})");
+        options.variant = variant;
+        GlslCheck shaders;
+        return toText(planForEveryScene(options, shippedSources(), shaders).diagnostics());
+    };
+    const std::string base = errorsOfVariant(""), more = errorsOfVariant("more");
+    INFO(base << more);
+    CHECK(base.find("'steps'") == std::string::npos);
+    CHECK(base.find("'width' is not declared") != std::string::npos);
+    CHECK(base.find("camera.orthographic 1") != std::string::npos);
+    CHECK(more.find("'steps' is not declared") != std::string::npos);
+    CHECK(more.find("variant 'more'") != std::string::npos);
+}
