@@ -184,9 +184,12 @@ Diagnostics explainSpread(const GlslStage& stage, const GlslTokens& tokens, Code
         Diagnostic next{code, std::string(line.message), "", {stage.files.front()}};
         if (line.line > 0 && !tokens.empty())
             next.place = placeAt(stage, tokens, std::size_t(line.line) - 1, line.message);
+        if (!next.place.source) next.place.source = stage.files.front();
         sayPlainly(stage, tokens, next);
         if (!follows(diagnostics, next)) diagnostics.push_back(std::move(next));
     }
+    if (diagnostics.empty() && !log.empty())
+        diagnostics.push_back({code, "glslang refuses this shader", "", {stage.files.front()}});
     return diagnostics;
 }
 
@@ -210,8 +213,11 @@ Diagnostics explainLog(const GlslStage& stage, Code code, const std::string& log
             if (!follows(diagnostics, next)) diagnostics.push_back(std::move(next));
         }
     }
+    constexpr std::size_t kPlain = 16;  // each may search all of the text
     const SpreadStage tokens = spread(stage);
-    for (Diagnostic& each : diagnostics) sayPlainly(stage, tokens.tokens, each);
+    for (std::size_t i = 0; i < std::min(kPlain, diagnostics.size()); ++i)
+        if (diagnostics[i].severity == Severity::error)
+            sayPlainly(stage, tokens.tokens, diagnostics[i]);
     if (unknown.empty() && diagnostics.empty()) unknown = "the driver gave no message";
     if (!unknown.empty()) diagnostics.push_back({code, unknown, "", placeIn(stage, {})});
     return diagnostics;

@@ -115,8 +115,8 @@ std::string plainType(std::string_view type)
     const std::string_view scalar = type.substr(type.find_last_of(" }") + 1);
     const std::size_t vector = type.find("-component"), matrix = type.find(" matrix");
     if (has(type, "structure{")) return "a struct";
-    if (matrix != type.npos) return "mat" + std::string(1, type[matrix - 1]);
-    if (vector == type.npos) return std::string(scalar);
+    if (matrix != type.npos && matrix > 0) return "mat" + std::string(1, type[matrix - 1]);
+    if (vector == type.npos || vector == 0) return std::string(scalar);
     return (scalar == "float" ? "" : std::string(scalar.substr(0, 1))) + "vec" + type[vector - 1];
 }
 
@@ -309,7 +309,8 @@ std::string Speaker::conversion(const std::string& given, const std::string& wan
     while (i > 0 && !isOneOf(tokens_[i - 1], ";{}")) --i;
     for (; given == "int" && i < tokens_.size() && !isOneOf(tokens_[i], ";{}"); ++i) {
         const std::string text(tokens_[i].text);
-        if (text.find_first_not_of("0123456789") != text.npos || tokens_[i - 1].is("[")) continue;
+        const bool whole = text.find_first_not_of("0123456789") == text.npos;
+        if (!whole || i == 0 || tokens_[i - 1].is("[")) continue;
         return "write " + text + (wanted == "uint" ? "u" : ".0") + " for " + text +
                ": GLSL ES converts nothing by itself";
     }
@@ -349,6 +350,7 @@ void Speaker::run()
     if (call || has(message, "undeclared") || has(message, "undefined variable"))
         return unknown(name, call);
     if (has(message, "of type '") || has(message, "cannot convert from '")) return types(message);
+    if (startsWith(message, "'' : ")) error_.message.erase(0, 5);
     for (const auto& each : kMessages) {
         if (!has(message, each.part)) continue;
         say(each.message, each.help);
@@ -367,10 +369,13 @@ SpreadStage spread(const GlslStage& stage)
     int file = -1, offset = 0;  // of the author's lines; nowhere above the first #line
     for (const GlslLine& line : glslLines(stage.text, 0)) {
         const GlslTokens& tokens = line.tokens;
-        if (line.isDirective() && line.directive() == "line" && tokens.size() > 3) {
-            file = int(evaluate(&tokens[3], &tokens[3] + 1).value_or(0));
-            offset = int(evaluate(&tokens[2], &tokens[2] + 1).value_or(0)) % kLinesPerFile -
-                     line.line - line.count;
+        if (line.isDirective() && line.directive() == "line") {  // an author's may say anything
+            const auto number = [&](std::size_t i) {
+                return i < tokens.size() ? evaluate(&tokens[i], &tokens[i] + 1).value_or(-1) : -1;
+            };
+            const bool known = number(3) >= 0 && number(3) < std::int64_t(stage.files.size());
+            file = known ? int(number(3)) : -1;
+            offset = int(number(2) % kLinesPerFile) - line.line - line.count;
             continue;
         }
         const auto place = [&](GlslToken token) {

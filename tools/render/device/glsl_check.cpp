@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/glsl/compiler_words.h"
 #include "core/glsl/preprocessor.h"
+#include "tools/commands/cli/child_process.h"
 #include "tools/render/device/glslang_stage.h"
 
 #include <algorithm>
@@ -11,23 +12,82 @@
 namespace crevice {
 namespace {
 
+/// A stage and what glslang says of it.
 struct CheckedStage {
-    const GlslStage& stage;
-    SpreadStage spread;
-    ParsedStage parsed;
-
-    CheckedStage(const GlslStage& of, glslang_stage_t kind)
-        : stage(of),
-          spread(crevice::spread(of)),
-          parsed(parseStage(spread.text, kind, false))
-    {
-    }
+    explicit CheckedStage(const GlslStage& of) : stage(of), spread(crevice::spread(of)) {}
 
     Diagnostics errors() const
     {
-        return explainSpread(stage, spread.tokens, Code::shader_compile, parsed.log);
+        return explainSpread(stage, spread.tokens, Code::shader_compile, log);
     }
+
+    const GlslStage& stage;
+    SpreadStage spread;
+    std::string log = {};
 };
+
+struct CheckedProgram {
+    const PlanProgram& program;
+    CheckedStage vertex, fragment;
+    std::string log = {};  ///< Of the linker.
+    bool ended = false;    ///< Whether glslang came to an end with it.
+};
+
+void compile(CheckedProgram& program)
+{
+    ParsedStage vertex = parseStage(program.vertex.spread.text, GLSLANG_STAGE_VERTEX, false);
+    ParsedStage fragment = parseStage(program.fragment.spread.text, GLSLANG_STAGE_FRAGMENT, false);
+    program.vertex.log = std::move(vertex.log);
+    program.fragment.log = std::move(fragment.log);
+    if (!program.vertex.log.empty() || !program.fragment.log.empty()) return;
+    const GlslangProgram linked(glslang_program_create());
+    for (const ParsedStage* each : {&vertex, &fragment})
+        glslang_program_add_shader(linked.get(), each->shader.get());
+    if (!glslang_program_link(linked.get(), GLSLANG_MSG_DEFAULT_BIT))
+        program.log = glslang_program_get_info_log(linked.get());
+}
+
+template <class Stream>
+void pass(Stream& stream, std::string& text)
+{
+    std::uint64_t size = text.size();
+    stream.bytes(&size, sizeof(size));
+    if (!stream.holds(size)) return;
+    text.resize(std::size_t(size));
+    stream.bytes(text.data(), text.size());
+}
+
+/// In a process of its own: a sum of a hundred thousand terms overflows glslang's stack, and macros
+/// that double themselves fill the memory.
+ChildEnd compileApart(std::vector<CheckedProgram>& programs)
+{
+    constexpr ChildLimits kLimits = {10.0, 1ull << 30};
+    static const bool ready = [] {  // with what every child would build anew
+        for (const glslang_stage_t kind : {GLSLANG_STAGE_VERTEX, GLSLANG_STAGE_FRAGMENT})
+            for (const char* version : {"300", "310"})
+                parseStage(std::string("#version ") + version + " es\nvoid main() {}", kind, false);
+        return true;
+    }();
+    if (!ready || programs.empty()) return ChildEnd::done;
+    const auto passLogs = [](auto& stream, CheckedProgram& each) {
+        for (std::string* log : {&each.vertex.log, &each.fragment.log, &each.log})
+            pass(stream, *log);
+    };
+    return runInChild(
+        kLimits,
+        [&](Sender& sender) {
+            for (CheckedProgram& each : programs) {
+                compile(each);
+                passLogs(sender, each);
+            }
+        },
+        [&](Receiver& receiver) {
+            for (CheckedProgram& each : programs) {
+                passLogs(receiver, each);
+                each.ended = !receiver.failed();
+            }
+        });
+}
 
 /// Inputs that the fragment shader uses and the vertex shader does not write, which glslang lets
 /// pass.
@@ -63,19 +123,16 @@ std::string linkedName(std::string_view error)
     return std::string(error.substr(begin, end - begin));
 }
 
-Diagnostics linkErrors(const CheckedStage& vertex, const CheckedStage& fragment)
+Diagnostics linkErrors(const CheckedProgram& program)
 {
-    const GlslangProgram program(glslang_program_create());
-    for (const CheckedStage* each : {&vertex, &fragment})
-        glslang_program_add_shader(program.get(), each->parsed.shader.get());
-    Diagnostics errors = missingInputs(vertex, fragment);
-    if (glslang_program_link(program.get(), GLSLANG_MSG_DEFAULT_BIT)) return errors;
-    const std::string log = glslang_program_get_info_log(program.get());
+    Diagnostics errors = missingInputs(program.vertex, program.fragment);
+    const std::string& log = program.log;
     constexpr std::string_view kError = "ERROR: ";
     for (std::size_t at = 0, end = 0; (at = log.find(kError, end)) != log.npos;) {
         end = std::min(log.find(kError, at + 1), log.size());
         const std::string_view text = std::string_view(log).substr(at, end - at);
-        const CheckedStage& of = text.find("fragment") == text.npos ? vertex : fragment;
+        const CheckedStage& of =
+            text.find("fragment") == text.npos ? program.vertex : program.fragment;
         const std::string name = linkedName(text);
         const GlslTokens& tokens = of.spread.tokens;
         const auto found = std::find_if(tokens.begin(), tokens.end(),
@@ -90,13 +147,18 @@ Diagnostics linkErrors(const CheckedStage& vertex, const CheckedStage& fragment)
     return errors;
 }
 
-Diagnostics errorsOf(const PlanProgram& program)
+Diagnostics errorsOf(const CheckedProgram& program, ChildEnd end)
 {
-    const CheckedStage vertex(program.vertex, GLSLANG_STAGE_VERTEX);
-    const CheckedStage fragment(program.fragment, GLSLANG_STAGE_FRAGMENT);
-    Diagnostics errors = vertex.errors();
-    append(errors, fragment.errors());
-    return errors.empty() ? linkErrors(vertex, fragment) : errors;
+    if (!program.ended)
+        return {{Code::shader_compile,
+                 std::string("glslang ") +
+                     (end == ChildEnd::too_long ? "takes too long over" : "falls over") +
+                     " this shader",
+                 "make its expressions and macros shorter",
+                 {program.fragment.stage.files.front()}}};
+    Diagnostics errors = program.vertex.errors();
+    append(errors, program.fragment.errors());
+    return errors.empty() ? linkErrors(program) : errors;
 }
 
 /// How to include the file of the config that declares the name, where one does.
@@ -126,28 +188,32 @@ Diagnostics warnUnchecked() { return {}; }
 
 Diagnostics GlslCheck::check(const Description& description, const Plan& plan, Device* device)
 {
+    std::vector<CheckedProgram> programs;
+    for (const PlanProgram& each : plan.programs)
+        if (right_.count(each.key) == 0)
+            programs.push_back({each, CheckedStage(each.vertex), CheckedStage(each.fragment)});
+    const ChildEnd end = compileApart(programs);
     Diagnostics errors;
-    for (const PlanProgram& program : plan.programs) {
-        if (right_.count(program.key) > 0) continue;
-        Diagnostics found = errorsOf(program);
+    for (const CheckedProgram& checked : programs) {
+        const PlanProgram& program = checked.program;
+        Diagnostics found = errorsOf(checked, end);
         if (found.empty()) right_.insert(program.key);
-        if (found.empty()) continue;
         Diagnostics driver;
-        if (device)
+        if (device && checked.ended && !found.empty())
             driver = device->createProgram({program.label, program.vertex, program.fragment})
                          .diagnostics();
         for (Diagnostic& error : found) {
+            std::string help;
             if (endsWith(error.message, kNotDeclared))
-                if (std::string help =
-                        includeOf(description, std::string(quotedName(error.message)));
-                    !help.empty())
-                    error.help = std::move(help);
+                help = includeOf(description, std::string(quotedName(error.message)));
+            if (!help.empty()) error.help = std::move(help);
             error.pointer = program.pointer;
             error.notes.push_back({program.place, "in shader '" + program.label + "'"});
             for (const Diagnostic& each : driver)
                 error.notes.push_back({each.place, "the driver says: " + each.message});
             addOnce(errors, std::move(error));
         }
+        if (!checked.ended) break;  // those after it were not compiled
     }
     return errors;
 }

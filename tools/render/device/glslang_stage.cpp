@@ -36,7 +36,7 @@ ParsedStage parseStage(const std::string& text, glslang_stage_t kind, bool spirv
         glslang_shader_set_options(
             shader, GLSLANG_SHADER_AUTO_MAP_BINDINGS | GLSLANG_SHADER_AUTO_MAP_LOCATIONS);
     if (!glslang_shader_preprocess(shader, &input) || !glslang_shader_parse(shader, &input))
-        parsed.log = glslang_shader_get_info_log(shader);
+        parsed.log = glslang_shader_get_info_log(shader) + std::string("\n");
     return parsed;
 }
 

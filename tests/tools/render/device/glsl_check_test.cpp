@@ -132,6 +132,22 @@ TEST_CASE("A float without a precision is refused, which some drivers take")
     CHECK(errors[0].help.find("precision highp float;") != std::string::npos);
 }
 
+TEST_CASE("A shader that glslang falls over is refused, and so are lines that are nowhere")
+{
+    if (!warnUnchecked().empty()) return;
+    std::string sum = "radius";
+    for (int i = 0; i < 100000; ++i) sum += "+uv.x";
+    Diagnostics errors = errorsOf(shader("void main() { ao = " + sum + "; }"));
+    REQUIRE(errors.size() == 1);
+    CHECK(errors[0].place.source->name == "x.frag");
+    CHECK_FALSE(errors[0].help.empty());
+
+    errors = errorsOf(shader("#line 7 9\nvoid main() { ao = raduis; }"));
+    REQUIRE(errors.size() == 1);
+    CHECK(placeName(errors[0].place) == "x.frag");
+    CHECK(errors[0].help == "did you mean 'radius'?");
+}
+
 TEST_CASE("Stages that do not fit are refused at the input that does not")
 {
     if (!warnUnchecked().empty()) return;
