@@ -20,7 +20,7 @@ MAY_INCLUDE = {
 LAYERS = {
     'core': 'base json glsl sampling gpu frame config plan compile run renderer'.split(),
     'backends': 'gl context recording'.split(),
-    'tools': 'render/image commands/cli show/schema show/plan render/scene measure/reference render/device render '
+    'tools': 'render/image commands/cli render/glsl show/schema show/plan render/scene measure/reference render/device render '
              'measure/cost measure/motion measure measure/bench measure/stress show/report show/view show/page commands '
              'examples'.split(),
 }

@@ -31,27 +31,19 @@ constexpr struct {
     const char* instead;
 } kElsewhere[] = {
     {"texture2D", "texture(...)"},
-    {"texture2DLod", "textureLod(...)"},
     {"tex2D", "texture(...)"},
     {"gl_FragColor", "an output of your own: layout(location = 0) out vec4 color;"},
-    {"gl_FragData", "outputs of your own: layout(location = 0) out vec4 color;"},
     {"varying", "out in the vertex shader and in in the fragment shader"},
     {"attribute", "in"},
     {"sampler2DMS", "#version 310 es, which has it"},
     {"saturate", "clamp(x, 0.0, 1.0)"},
     {"lerp", "mix(...)"},
     {"frac", "fract(...)"},
-    {"fmod", "mod(...)"},
-    {"rsqrt", "inversesqrt(...)"},
     {"atan2", "atan(y, x)"},
-    {"ddx", "dFdx(...)"},
-    {"ddy", "dFdy(...)"},
-    {"mul", "a * b"},
     {"float2", "vec2"},
     {"float3", "vec3"},
     {"float4", "vec4"},
     {"half", "mediump float"},
-    {"double", "highp float"},
 };
 
 /// What a compiler says, what it is called here, and the way out; $ is the name it is about.
@@ -131,15 +123,6 @@ std::vector<std::string> typesAfter(std::string_view message, std::string_view l
         types.push_back(plainType(message.substr(at, message.find('\'', at) - at)));
     }
     return types;
-}
-
-/// Whether there may be a line's end between the two: not amid "+=", ".5" or "1e-5".
-bool isApart(const GlslToken& a, const GlslToken& b)
-{
-    using Kind = GlslToken::Kind;
-    if (a.line != b.line || a.column + int(a.text.size()) != b.column) return true;
-    if (a.kind == Kind::number) return lowerCase(a.text).back() != 'e';
-    return isName(a) || isName(b) || isOneOf(a, "(){}[];,") || isOneOf(b, "(){}[];,");
 }
 
 class Speaker {
@@ -362,42 +345,6 @@ void Speaker::run()
 }
 
 }  // namespace
-
-SpreadStage spread(const GlslStage& stage)
-{
-    SpreadStage spread;
-    int file = -1, offset = 0;  // of the author's lines; nowhere above the first #line
-    for (const GlslLine& line : glslLines(stage.text, 0)) {
-        const GlslTokens& tokens = line.tokens;
-        if (line.isDirective() && line.directive() == "line") {  // an author's may say anything
-            const auto number = [&](std::size_t i) {
-                return i < tokens.size() ? evaluate(&tokens[i], &tokens[i] + 1).value_or(-1) : -1;
-            };
-            const bool known = number(3) >= 0 && number(3) < std::int64_t(stage.files.size());
-            file = known ? int(number(3)) : -1;
-            offset = int(number(2) % kLinesPerFile) - line.line - line.count;
-            continue;
-        }
-        const auto place = [&](GlslToken token) {
-            token.file = file;
-            token.line += offset;
-            spread.tokens.push_back(token);
-        };
-        if (line.isDirective()) {
-            spread.text += line.text;
-            for (int i = 0; i < line.count; ++i) place(tokens[0]);
-            continue;
-        }
-        for (std::size_t i = 0; i < tokens.size(); ++i) {
-            const bool apart = i == 0 || isApart(tokens[i - 1], tokens[i]);
-            if (apart) place(tokens[i]);
-            if (apart && !spread.text.empty() && spread.text.back() != '\n') spread.text += '\n';
-            spread.text += tokens[i].text;
-        }
-        if (!tokens.empty()) spread.text += '\n';
-    }
-    return spread;
-}
 
 void sayPlainly(const GlslStage& stage, const GlslTokens& tokens, Diagnostic& error)
 {

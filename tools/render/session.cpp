@@ -3,7 +3,7 @@
 #include "tools/render/session.h"
 
 #include "tools/commands/cli/output.h"
-#include "tools/render/device/glsl_check.h"
+#include "tools/render/glsl/glsl_check.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/read_output.h"
 #include "tools/render/view_diagnosis.h"

@@ -66,7 +66,7 @@ struct Session {
     double create_ms = 0;  ///< What Renderer::create took, by the wall clock.
 };
 
-/// What glslang (tools/render/device/glsl_check.h) says of the shaders that a renderer of the
+/// What glslang (tools/render/glsl/glsl_check.h) says of the shaders that a renderer of the
 /// session would draw the description with, and then its driver. A plan that fails is no error.
 Status checkShaders(Session& session, const Description& description,
                     const CompileOptions& options);

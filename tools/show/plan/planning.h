@@ -5,7 +5,7 @@
 #include <crevice/compile.h>
 
 #include "tools/commands/cli/config_options.h"
-#include "tools/render/device/glsl_check.h"
+#include "tools/render/glsl/glsl_check.h"
 
 namespace crevice {
 

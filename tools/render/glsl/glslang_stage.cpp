@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/render/device/glslang_stage.h"
+#include "tools/render/glsl/glslang_stage.h"
 
 #include <glslang/Public/resource_limits_c.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "tools/render/device/glsl_check.h"
+#include "tools/render/glsl/glsl_check.h"
 
 #include "core/base/text.h"
 #include "core/glsl/compiler_words.h"
 #include "core/glsl/preprocessor.h"
 #include "tools/commands/cli/child_process.h"
-#include "tools/render/device/glslang_stage.h"
+#include "tools/render/glsl/glslang_stage.h"
 
 #include <algorithm>
 

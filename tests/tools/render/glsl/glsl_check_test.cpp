@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // GLSL that no compiler takes is refused without one of the driver's, at its line and with a way
 // out.
-#include "tools/render/device/glsl_check.h"
+#include "tools/render/glsl/glsl_check.h"
 
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
