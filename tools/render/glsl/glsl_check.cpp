@@ -161,24 +161,37 @@ Diagnostics errorsOf(const CheckedProgram& program, ChildEnd end)
     return errors.empty() ? linkErrors(program) : errors;
 }
 
-/// How to include the file of the config that declares the name, where one does.
+/// Whether the file has a function of that name.
+bool declares(const SourceText& source, const std::string& name)
+{
+    GlslTokens tokens;
+    const std::string text = blankComments(source.text).text;
+    if (findWord(text, name) != text.npos) tokenize(text, 0, 1, tokens);
+    for (std::size_t i = 1; i + 1 < tokens.size(); ++i)
+        if (tokens[i].is(name) && tokens[i + 1].is("(") && !tokens[i - 1].is("return") &&
+            tokens[i - 1].kind == GlslToken::Kind::identifier)
+            return true;
+    return false;
+}
+
+/// How to include the function of that name, where a file of the config has one.
 std::string includeOf(const Description& description, const std::string& name)
 {
-    for (const auto& [path, source] : description.files) {
-        GlslTokens tokens;
-        const std::string text = blankComments(source->text).text;
-        if (findWord(text, name) != text.npos) tokenize(text, 0, 1, tokens);
-        for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
-            const bool declares = tokens[i].is(name) && tokens[i + 1].is("(") &&
-                                  tokens[i - 1].kind == GlslToken::Kind::identifier &&
-                                  !tokens[i - 1].is("return");
-            if (!declares) continue;
-            for (const InterfaceDesc& each : description.interfaces)
-                if (each.file.name == path)
-                    return "add: #include <" + each.name + ">, which declares it";
-            return "add: #include \"" + path + "\", which declares it";
-        }
+    const auto& files = description.files;
+    const auto has = [&](const std::string& path) {
+        const auto found = files.find(path);
+        return found != files.end() && declares(*found->second, name);
+    };
+    for (const InterfaceDesc& each : description.interfaces) {
+        bool here = has(each.file.name);
+        if (const auto file = files.find(each.file.name); file != files.end())
+            for (const GlslInclude& part : findIncludes(file->second))
+                here = here || has(resolvePath(file->first, part.name));
+        if (here) return "add: #include <" + each.name + ">, which declares it";
     }
+    for (const auto& file : files)
+        if (endsWith(file.first, ".glsl") && has(file.first))
+            return "add: #include \"" + file.first + "\", which declares it";
     return {};
 }
 
