@@ -73,6 +73,8 @@ constexpr struct {
      "declare it alike in both, as with 'highp' or 'flat'"},
     {"default precision qualifier", "'$' has no precision in this shader",
      "write below #version: precision highp $;"},
+    {"void function cannot return", "a void function returns no value", "write: return;"},
+    {"string literal", "GLSL has no text in quotes", "write a number"},
     {"no such field", "the struct has no member '$'", "take one that its declaration has"},
     {"boolean expression expected", "a condition has to be true or false", "compare: x > 0.0"},
     {"function does not return a value", "function '$' can end without a return",
@@ -172,7 +174,9 @@ void Speaker::syntax(const std::string& message)
     if (at_ == 0 || at_ >= tokens_.size()) return;
     if (has(message, "end of file") || has(message, "$end")) return openBrace();
     const GlslToken& found = tokens_[at_];
-    const GlslToken& last = tokens_[at_ - 1];
+    std::size_t before_at = at_ - 1;
+    while (before_at > 0 && tokens_[before_at].is("#")) --before_at;
+    const GlslToken& last = tokens_[before_at];
     const GlslToken* next = at_ + 1 < tokens_.size() ? &found + 1 : nullptr;
     int depth = 0, parens = 0;
     for (std::size_t i = 0; i < at_; ++i) {
@@ -193,7 +197,7 @@ void Speaker::syntax(const std::string& message)
             return say("a '" + std::string(sign) + "' is missing before '" + text + "'",
                        "add '" + std::string(sign) + "'");
     const bool ends = has(wanted, "SEMICOLON") || has(wanted, "';'");
-    if (value && word && (parens > 0 || (!ends && last.line == found.line)))
+    if (value && word && (parens > 0 || last.line == found.line))
         return say("an operator or sign is missing between '" + before + "' and '" + text + "'",
                    "add what is meant: + - * / , ; ...");
     if ((value || ends) && (word || found.is("}"))) {
@@ -204,7 +208,7 @@ void Speaker::syntax(const std::string& message)
         return;
     }
     say("'" + text + "' cannot stand here",
-        ends ? "';' could stand here" : "look at what stands before it");
+        ends ? "write ';' there" : "look at what stands before it");
 }
 
 /// The brace that does not close is the one whose line begins at another column than that of the

@@ -195,6 +195,18 @@ std::string includeOf(const Description& description, const std::string& name)
     return {};
 }
 
+/// Where a file lacks what its includer could include first, the includer's line is to blame.
+void suggestInclude(Diagnostic& error, const Description& description, const PlanProgram& program)
+{
+    if (!endsWith(error.message, kNotDeclared)) return;
+    const std::string help = includeOf(description, std::string(quotedName(error.message)));
+    if (help.empty()) return;
+    error.help = help;
+    for (const GlslStage* stage : {&program.vertex, &program.fragment})
+        for (const GlslInclude& each : findIncludes(stage->files.front()))
+            if (each.name == error.place.source->path) blame(error, each.place, "it is used here");
+}
+
 }  // namespace
 
 Diagnostics warnUnchecked() { return {}; }
@@ -216,10 +228,7 @@ Diagnostics GlslCheck::check(const Description& description, const Plan& plan, D
             driver = device->createProgram({program.label, program.vertex, program.fragment})
                          .diagnostics();
         for (Diagnostic& error : found) {
-            std::string help;
-            if (endsWith(error.message, kNotDeclared))
-                help = includeOf(description, std::string(quotedName(error.message)));
-            if (!help.empty()) error.help = std::move(help);
+            suggestInclude(error, description, program);
             error.pointer = program.pointer;
             error.notes.push_back({program.place, "in shader '" + program.label + "'"});
             for (const Diagnostic& each : driver)

@@ -35,11 +35,13 @@ constexpr const char* kRight =
 constexpr const char* kPart = "float part(float x)\n{\n    return x;\n}\n";
 
 Diagnostics errorsOf(const std::string& fragment, const std::string& vertex = kVertex,
-                     const std::string& part = kPart)
+                     const std::string& part = kPart, const std::string& user = "")
 {
-    const Description description = describe(
-        kConfig,
-        {{"x.vert", vertex}, {"x.frag", fragment}, {"y.frag", kRight}, {"part.glsl", part}});
+    const Description description = describe(kConfig, {{"x.vert", vertex},
+                                                       {"x.frag", fragment},
+                                                       {"y.frag", kRight},
+                                                       {"part.glsl", part},
+                                                       {"user.glsl", user}});
     const Plan plan =
         need(compile(description, usualTraits(), usualCaps(), {Extent{64, 64}, {}, {}}));
     return GlslCheck().check(description, plan);
@@ -64,6 +66,7 @@ struct Mistake {
 
 const Mistake kMistakes[] = {
     {"void main() {\n  float a = radius\n  ao = a;\n}", "10:19", "';'", "add ';'"},
+    {"void main() {\n  float a = radius\n#if 1\n  ao = a;\n#endif\n}", "10:19", "';'", "add ';'"},
     {"struct S { float a; }\nvoid main() { ao = 1.0; }", "9:22", "';'", "add ';'"},
     {"void main() {\n  ao = raduis;\n}", "10:8", "'raduis' is not", "did you mean 'radius'"},
     {"void main() {\n  ao = half_off(uv);\n}", "10:8", "'half_off' is not", "'half_of'"},
@@ -82,6 +85,7 @@ const Mistake kMistakes[] = {
     {"float f() { ao = 1.0; }\nvoid main() {}", "9:9", "'f' can end without", "return"},
     {"void main() {\n  float a = 1.0;\n  float a = 2.0;\n}", "11:9", "'a' is declared twice", ""},
     {"void main() {\n  uv = vec2(0.0);\n}", "10:6", "'uv' is an input", "copy"},
+    {"void main() {\n  ao = radius 2.0;\n}", "10:15", "between 'radius' and '2.0'", "*"},
     {"void main() {\n  if (radius) ao = 1.0;\n}", "10:3", "true or false", "x > 0.0"},
     {"void main() {\n  float input = 1.0;\n}", "10:9", "'input'", "another name"},
     {"void main() {\n  ao = (1.0 + radius;\n}", "10:21", "')'", "add ')'"},
@@ -189,6 +193,15 @@ TEST_CASE("A function of a file that a shader does not include names the file")
     const Diagnostics errors = errorsOf(shader("void main() { ao = part(uv.x); }"));
     REQUIRE(errors.size() == 1);
     CHECK(errors[0].help.find("#include \"part.glsl\"") != std::string::npos);
+
+    const std::string user =
+        "#version 310 es\nprecision highp float;\n#include \"user.glsl\"\n"
+        "layout(location = 0) out float ao;\nvoid main() { ao = user(); }\n";
+    const Diagnostics included =
+        errorsOf(user, kVertex, kPart, "float user() { return part(1.0); }\n");
+    REQUIRE(included.size() == 1);
+    CHECK(placeName(included[0].place) == "x.frag:3:11");
+    CHECK(placeName(included[0].notes.at(0).place) == "user.glsl:1:23");
 }
 
 TEST_CASE("A mistake that one variant or one scene alone compiles is found, and which one is said")
