@@ -86,7 +86,9 @@ Status checkShaders(Session& session, const Description& description, const Comp
 {
     Device& device = *session.open.device;
     const Result<Plan> plan = compile(description, traitsOf(session.frame), device.caps(), options);
-    return plan ? GlslCheck().check(description, *plan, &device) : Diagnostics();
+    GlslCheck shaders;
+    if (plan) shaders.add(*plan);
+    return shaders.check(description, &device);
 }
 
 Result<Session> openSession(const RenderOptions& options, const SceneView& view,

@@ -31,6 +31,8 @@ Diagnostics warnUnchecked()
     return {warning};
 }
 
-Diagnostics GlslCheck::check(const Description&, const Plan&, Device*) { return {}; }
+void GlslCheck::add(const Plan&, const std::string&) {}
+
+Diagnostics GlslCheck::check(const Description&, Device*) { return {}; }
 
 }  // namespace crevice

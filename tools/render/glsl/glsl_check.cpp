@@ -211,32 +211,42 @@ void suggestInclude(Diagnostic& error, const Description& description, const Pla
 
 Diagnostics warnUnchecked() { return {}; }
 
-Diagnostics GlslCheck::check(const Description& description, const Plan& plan, Device* device)
+void GlslCheck::add(const Plan& plan, const std::string& found_with)
+{
+    for (const PlanProgram& program : plan.programs)
+        if (known_.insert(program.key).second) waiting_.push_back({program, found_with});
+}
+
+Diagnostics GlslCheck::check(const Description& description, Device* device)
 {
     std::vector<CheckedProgram> programs;
-    for (const PlanProgram& each : plan.programs)
-        if (right_.count(each.key) == 0)
-            programs.push_back({each, CheckedStage(each.vertex), CheckedStage(each.fragment)});
+    for (const Waiting& each : waiting_)
+        programs.push_back(
+            {each.program, CheckedStage(each.program.vertex), CheckedStage(each.program.fragment)});
     const ChildEnd end = compileApart(programs);
     Diagnostics errors;
-    for (const CheckedProgram& checked : programs) {
-        const PlanProgram& program = checked.program;
-        Diagnostics found = errorsOf(checked, end);
-        if (found.empty()) right_.insert(program.key);
+    bool ended = true;  // else those after it were not compiled
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        const PlanProgram& program = waiting_[i].program;
+        Diagnostics found = ended ? errorsOf(programs[i], end) : Diagnostics();
+        if (!ended || !found.empty()) known_.erase(program.key);
+        ended = ended && programs[i].ended;
         Diagnostics driver;
-        if (device && checked.ended && !found.empty())
+        if (device && ended && !found.empty())
             driver = device->createProgram({program.label, program.vertex, program.fragment})
                          .diagnostics();
         for (Diagnostic& error : found) {
             suggestInclude(error, description, program);
             error.pointer = program.pointer;
             error.notes.push_back({program.place, "in shader '" + program.label + "'"});
+            if (const std::string& what = waiting_[i].found_with; !what.empty())
+                error.notes.push_back({{}, "found with " + what});
             for (const Diagnostic& each : driver)
                 error.notes.push_back({each.place, "the driver says: " + each.message});
             addOnce(errors, std::move(error));
         }
-        if (!checked.ended) break;  // those after it were not compiled
     }
+    waiting_.clear();
     return errors;
 }
 

@@ -15,12 +15,22 @@ Diagnostics warnUnchecked();
 /// Compiles and links programs, each that is right once.
 class GlslCheck {
 public:
-    /// What is wrong with the programs of a plan of `description`, each mistake once: CV5001 and
+    /// Keeps the plan's programs that were not checked yet; what is wrong with them gets a note
+    /// that it was found with that, if anything.
+    void add(const Plan& plan, const std::string& found_with = {});
+
+    /// What is wrong with what was added, of plans of `description`, each mistake once: CV5001 and
     /// CV5002, at the author's file and line. What `device`, if any, says of them comes as a note.
-    Diagnostics check(const Description& description, const Plan& plan, Device* device = nullptr);
+    Diagnostics check(const Description& description, Device* device = nullptr);
 
 private:
-    std::set<std::string> right_;  // keys of programs
+    struct Waiting {
+        PlanProgram program;
+        std::string found_with;
+    };
+
+    std::set<std::string> known_;  // keys of programs that are right or waiting
+    std::vector<Waiting> waiting_;
 };
 
 /// Appends the error unless the same is there already.

@@ -71,19 +71,22 @@ Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& so
 {
     const Result<Description> description = loadDescription(options, sources);
     if (!description) return description.diagnostics();
+    const std::string variant = options.variant.empty() ? "" : "variant '" + options.variant + "'";
     const Result<Plan> plan = planFor(*description, usualTraits());
-    Diagnostics errors = plan ? shaders.check(*description, *plan) : plan.diagnostics();
-    if (!options.variant.empty())
-        for (Diagnostic& error : errors)
-            error.notes.push_back({{}, "found with variant '" + options.variant + "'"});
+    Diagnostics errors = plan ? Diagnostics() : plan.diagnostics();
+    if (plan) shaders.add(*plan, variant);
     for (const Setting& setting : otherSettings()) {
         const Result<Plan> other = planFor(*description, setting.traits);
-        for (Diagnostic error : other ? shaders.check(*description, *other) : other.diagnostics()) {
+        const std::string with = setting.what + (variant.empty() ? "" : " and " + variant);
+        if (other) shaders.add(*other, with);
+        if (other) continue;
+        for (Diagnostic error : other.diagnostics()) {
             if (error.severity != Severity::error) continue;
-            error.notes.push_back({{}, "found with " + setting.what});
+            error.notes.push_back({{}, "found with " + with});
             addOnce(errors, std::move(error));
         }
     }
+    append(errors, shaders.check(*description));
     if (!errors.empty()) return errors;
     return plan;
 }

@@ -44,7 +44,9 @@ Diagnostics errorsOf(const std::string& fragment, const std::string& vertex = kV
                                                        {"user.glsl", user}});
     const Plan plan =
         need(compile(description, usualTraits(), usualCaps(), {Extent{64, 64}, {}, {}}));
-    return GlslCheck().check(description, plan);
+    GlslCheck shaders;
+    shaders.add(plan);
+    return shaders.check(description);
 }
 
 // The body begins in line 9.
