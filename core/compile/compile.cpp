@@ -73,18 +73,18 @@ Status checkBytes(const Plan& plan, const Description& description)
 {
     constexpr double kMiB = 1 << 20;
     const auto mib = [](double bytes) { return significant(bytes / kMiB, 4) + " MiB"; };
-    double bytes = 0;
-    const PlanTexture* largest = nullptr;
-    for (const PlanTexture& each : plan.textures) {
-        bytes += textureBytes(each);
-        if (!largest || textureBytes(each) > textureBytes(*largest)) largest = &each;
-    }
+    const double bytes = plan.texture_bytes;
     if (bytes <= description.limits.bytes) return {};
+    const auto smaller = [](const PlanTexture& a, const PlanTexture& b) {
+        return textureBytes(a) < textureBytes(b);
+    };
+    const PlanTexture& largest =
+        *std::max_element(plan.textures.begin(), plan.textures.end(), smaller);
     return Diagnostic{
         Code::over_limit,
         "its textures take " + mib(bytes) + ", and at most " + mib(description.limits.bytes) +
             " may be: " + std::to_string(plan.textures.size()) + " of them, the largest of " +
-            mib(textureBytes(*largest)) + " for " + joined(largest->targets),
+            mib(textureBytes(largest)) + " for " + joined(largest.targets),
         "ask for a smaller size, give targets a smaller format or `scale`, or raise "
         "Limits::bytes",
         description.place};

@@ -3,6 +3,8 @@
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
+#include "tools/render/scene/options.h"
+#include "tools/show/plan/names.h"
 #include "tools/show/plan/planning.h"
 
 #include <crevice/config.h>
@@ -10,13 +12,16 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
+#include <set>
 
 namespace crevice {
 namespace {
 
 struct ValidateOptions : ConfigOptions {
     std::vector<std::string> configs;
+    std::string size = "960x540";
     bool all = false;
     bool json = false;
 };
@@ -28,26 +33,36 @@ struct Checked {
     Result<Plan> plan;
 };
 
-/// The config, and where no variant was asked for, each of its variants.
-std::vector<Checked> check(ConfigOptions options, const SourceSet& sources, GlslCheck& shaders)
+/// The config, and where no variant was asked for and it is right, each of its variants.
+std::vector<Checked> check(const ValidateOptions& options, Extent extent, const SourceSet& sources,
+                           GlslCheck& shaders)
 {
-    std::vector<Checked> checked = {
-        {options.config, options.variant, planForEveryScene(options, sources, shaders)}};
-    if (!options.variant.empty() || !checked[0].plan) return checked;
-    for (const std::string& variant : variantNames(sources, requestOf(options))) {
-        options.variant = variant;
-        checked.push_back({options.config, variant, planForEveryScene(options, sources, shaders)});
-    }
+    std::vector<Checked> checked;
+    const auto plan = [&](const std::string& variant, const Result<Node>& document) {
+        if (!checked.empty() && !checked[0].plan) return;
+        const auto description = document ? decode(*document, sources, options.limits)
+                                          : Result<Description>(document.diagnostics());
+        checked.push_back(
+            {options.config, variant, planForEveryScene(description, variant, extent, shaders)});
+    };
+    if (options.variant.empty())
+        loadVariants(sources, requestOf(options), plan);
+    else
+        plan(options.variant, loadConfig(sources, requestOf(options)));
     return checked;
 }
 
-void printText(const Checked& each)
+/// What was said before, of the config or of another variant, is not said again.
+void printText(const Checked& each, const std::string& size, std::set<std::string>& said)
 {
-    report(each.plan.diagnostics(), false);
+    Diagnostics fresh = each.plan.diagnostics();
+    const auto known = [&](const Diagnostic& it) { return !said.insert(toText(it)).second; };
+    fresh.erase(std::remove_if(fresh.begin(), fresh.end(), known), fresh.end());
+    report(fresh, false);
     const std::string variant = each.variant.empty() ? "" : " variant " + each.variant;
     if (each.plan)
-        print("%s%s: ok (%zu passes)\n", each.config.c_str(), variant.c_str(),
-              each.plan->passes.size());
+        print("%s%s: ok (%zu passes, %s of textures at %s)\n", each.config.c_str(), variant.c_str(),
+              each.plan->passes.size(), bytesText(each.plan->texture_bytes).c_str(), size.c_str());
     else
         print("%s%s: failed\n", each.config.c_str(), variant.c_str());
 }
@@ -57,11 +72,14 @@ nlohmann::json toJson(const Checked& each)
     return {{"config", each.config},
             {"variant", each.variant},
             {"ok", each.plan.ok()},
+            {"texture_bytes", each.plan ? each.plan->texture_bytes : 0},
             {"diagnostics", nlohmann::json::parse(toJson(each.plan.diagnostics()))}};
 }
 
 int validate(ValidateOptions options)
 {
+    const Result<Extent> extent = parseSize(options.size);
+    if (!extent) return report(extent.diagnostics(), options.json);
     const CheckoutSources sources(options.checkout, options.roots);
     if (options.all) options.configs = configNames(sources);
     nlohmann::json results = nlohmann::json::array();
@@ -70,9 +88,10 @@ int validate(ValidateOptions options)
     report(warnUnchecked(), false);
     for (const std::string& config : options.configs) {
         options.config = config;
-        for (const Checked& each : check(options, sources, shaders)) {
+        std::set<std::string> said;
+        for (const Checked& each : check(options, *extent, sources, shaders)) {
             append(all, each.plan.diagnostics());
-            if (!options.json) printText(each);
+            if (!options.json) printText(each, options.size, said);
             results.push_back(toJson(each));
         }
     }
@@ -91,6 +110,9 @@ void addValidateCommand(CLI::App& app, int& exit_code)
     auto* all = command->add_flag("--all", options->all, "Check every shipped config");
     configs->excludes(all);
     addConfigOptions(*command, *options);
+    command->add_option("--size", options->size, "Pixels of the picture that is planned for")
+        ->type_name("WxH")
+        ->capture_default_str();
     command->add_flag("--json", options->json, "Print results and diagnostics as JSON");
     command->footer(
         "Examples:\n"

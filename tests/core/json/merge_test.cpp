@@ -85,8 +85,7 @@ TEST_CASE("an object has at most 1024 members, also when files are merged")
         return "{" + members + "}";
     };
     CHECK(merged("{}", text(kMaxMembers, "a")).node.members.size() == kMaxMembers);
-    CHECK(merged(text(kMaxMembers, "a"), text(2, "b")).errors.at(0).code ==
-          Code::too_many_members);
+    CHECK(merged(text(kMaxMembers, "a"), text(2, "b")).errors.at(0).code == Code::too_many_members);
     const auto source = std::make_shared<SourceText>(SourceText{"m.json", text(1025, "a")});
     const Result<Node> more = parseDocument(source);
     REQUIRE(more.diagnostics().size() == 1);

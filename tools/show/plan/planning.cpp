@@ -57,26 +57,25 @@ std::vector<Setting> otherSettings()
     return settings;
 }
 
-Result<Plan> planFor(const Description& description, const SceneTraits& traits)
+Result<Plan> planFor(const Description& description, const SceneTraits& traits, Extent extent)
 {
     CompileOptions options;
-    options.extent = {960, 540};
+    options.extent = extent;
     return compile(description, traits, usualCaps(), options);
 }
 
 }  // namespace
 
-Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources,
-                               GlslCheck& shaders)
+Result<Plan> planForEveryScene(const Result<Description>& description, const std::string& name,
+                               Extent extent, GlslCheck& shaders)
 {
-    const Result<Description> description = loadDescription(options, sources);
     if (!description) return description.diagnostics();
-    const std::string variant = options.variant.empty() ? "" : "variant '" + options.variant + "'";
-    const Result<Plan> plan = planFor(*description, usualTraits());
+    const std::string variant = name.empty() ? "" : "variant '" + name + "'";
+    const Result<Plan> plan = planFor(*description, usualTraits(), extent);
     Diagnostics errors = plan ? Diagnostics() : plan.diagnostics();
     if (plan) shaders.add(*plan, variant);
     for (const Setting& setting : otherSettings()) {
-        const Result<Plan> other = planFor(*description, setting.traits);
+        const Result<Plan> other = planFor(*description, setting.traits, extent);
         const std::string with = setting.what + (variant.empty() ? "" : " and " + variant);
         if (other) shaders.add(*other, with);
         if (other) continue;
@@ -87,6 +86,7 @@ Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& so
         }
     }
     append(errors, shaders.check(*description));
+    cutShort(errors);
     if (!errors.empty()) return errors;
     return plan;
 }
@@ -95,7 +95,7 @@ Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& so
 {
     const Result<Description> description = loadDescription(options, sources);
     if (!description) return description.diagnostics();
-    return planFor(*description, usualTraits());
+    return planFor(*description, usualTraits(), kUsualExtent);
 }
 
 }  // namespace crevice

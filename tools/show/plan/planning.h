@@ -15,14 +15,17 @@ DeviceCaps usualCaps();
 /// What a scene usually has: a light, textures, alpha tests, highlights.
 SceneTraits usualTraits();
 
-/// Loads a config and plans it at 960x540 on `usualCaps` for `usualTraits`.
+constexpr Extent kUsualExtent = {960, 540};
+
+/// Loads a config and plans it at kUsualExtent on `usualCaps` for `usualTraits`.
 /// Errors: those of loadDescription and compile; warnings come with the plan.
 Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources);
 
-/// The same plan, once the config plans for every other scene and camera too: with each trait
-/// changed from `usualTraits`, and with all that a scene can have. Errors: also those of the other
-/// plans, and of `shaders` on all of them, each with a note that says where it was found.
-Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources,
-                               GlslCheck& shaders);
+/// The same plan of a config under a variant, once it plans for every other scene and camera too:
+/// with each trait changed from `usualTraits`, and with all that a scene can have. Errors: also
+/// those of the other plans, and of `shaders` on all of them, each with a note that says where it
+/// was found.
+Result<Plan> planForEveryScene(const Result<Description>& description, const std::string& variant,
+                               Extent extent, GlslCheck& shaders);
 
 }  // namespace crevice

@@ -62,8 +62,8 @@ std::vector<std::string> UserFiles::addNamed()
 {
     const std::map<std::string, std::string> before = watched_.texts();
     const Result<Node> document = loadConfig(shipped_, requestOf(options_));
-    const Result<Description> description =
-        document ? decode(*document, shipped_, options_.limits) : Result<Description>(document.diagnostics());
+    const Result<Description> description = document ? decode(*document, shipped_, options_.limits)
+                                                     : Result<Description>(document.diagnostics());
     if (document) watched_.add(*document);
     if (description) watched_.add(*description);
     watched_.add(description.diagnostics());
@@ -140,7 +140,9 @@ std::vector<UserFile> UserFiles::changes()
 Diagnostics UserFiles::check() const
 {
     GlslCheck shaders;
-    return planForEveryScene(options_, shipped_, shaders).diagnostics();
+    return planForEveryScene(loadDescription(options_, shipped_), options_.variant, kUsualExtent,
+                             shaders)
+        .diagnostics();
 }
 
 }  // namespace crevice

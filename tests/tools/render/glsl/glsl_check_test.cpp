@@ -226,7 +226,9 @@ TEST_CASE("A mistake that one variant or one scene alone compiles is found, and 
             "outputs": {"ao": "ao"}, "variants": {"more": {"params": {"steps": 4}}}})");
         options.variant = variant;
         GlslCheck shaders;
-        return toText(planForEveryScene(options, shippedSources(), shaders).diagnostics());
+        return toText(planForEveryScene(loadDescription(options, shippedSources()), options.variant,
+                                        kUsualExtent, shaders)
+                          .diagnostics());
     };
     const std::string base = errorsOfVariant(""), more = errorsOfVariant("more");
     INFO(base << more);

@@ -45,7 +45,8 @@ TEST_CASE("A pass that fails in some scene or under some camera fails to validat
         INFO(condition);
         GlslCheck shaders;
         const Result<Plan> plan =
-            planForEveryScene(brokenWhere(folder, condition), shippedSources(), shaders);
+            planForEveryScene(loadDescription(brokenWhere(folder, condition), shippedSources()), "",
+                              kUsualExtent, shaders);
         CHECK_FALSE(plan.ok());
         REQUIRE(plan.diagnostics().size() == 1);
         CHECK(plan.diagnostics()[0].code == Code::uniform_unbound);
