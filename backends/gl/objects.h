@@ -10,6 +10,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace crevice {
 
@@ -75,11 +76,14 @@ class GlPool {
 public:
     std::uint32_t add(T object)
     {
-        std::size_t index = 0;
-        while (index < slots_.size() && slots_[index]) ++index;
-        if (index == slots_.size()) slots_.emplace_back();
-        slots_[index].emplace(std::move(object));
-        return static_cast<std::uint32_t>(index + 1);
+        if (free_.empty()) {
+            slots_.emplace_back();
+            free_.push_back(static_cast<std::uint32_t>(slots_.size()));
+        }
+        const std::uint32_t id = free_.back();
+        free_.pop_back();
+        slots_[id - 1].emplace(std::move(object));
+        return id;
     }
 
     const T& at(std::uint32_t id) const
@@ -100,6 +104,7 @@ public:
         if (!find(id)) return;
         retired_.push_back(std::move(*slots_[id - 1]));
         slots_[id - 1].reset();
+        free_.push_back(id);
     }
 
     /// Requires that the objects' context is current.
@@ -107,6 +112,7 @@ public:
 
 private:
     std::deque<std::optional<T>> slots_;
+    std::vector<std::uint32_t> free_;  // ids
     std::deque<T> retired_;
 };
 

@@ -191,7 +191,9 @@ Result<FramebufferId> RecordingDevice::createFramebuffer(const FramebufferDesc& 
     checkAttachments(desc);
     Object object{ObjectId::Kind::framebuffer, desc.label};
     object.framebuffer = desc;
-    return FramebufferId{add(std::move(object), Call::create_framebuffer)};
+    const std::uint32_t id = add(std::move(object), Call::create_framebuffer);
+    framebuffers_.insert(id);
+    return FramebufferId{id};
 }
 
 Result<ProgramId> RecordingDevice::createProgram(const ProgramDesc& desc)
@@ -252,13 +254,14 @@ void RecordingDevice::destroy(ObjectId id)
     if (in_frame_) blame("an object is destroyed inside a frame");
     Object* object = find(id, "destroy");
     if (!object) return;
-    for (const auto& [other_id, other] : objects_) {
-        if (!other.alive || other.kind != ObjectId::Kind::framebuffer) continue;
+    for (const std::uint32_t framebuffer : framebuffers_) {
+        const Object& other = objects_.at(framebuffer);
         if (uses(other.framebuffer, id.value))
             blame("texture '" + object->label + "' is destroyed before framebuffer '" +
                   other.label + "', which uses it");
     }
     object->alive = false;
+    framebuffers_.erase(id.value);
     record(Call::destroy, id.value);
 }
 

@@ -103,23 +103,23 @@ Status UploadedScene::uploadTextures(const Scene& scene)
 
 Status UploadedScene::uploadMeshes(const Scene& scene)
 {
-    std::vector<bool> open;
+    std::vector<DrawItem> items;  // by mesh: all but the place and the material
     for (const MeshDesc& mesh : scene.meshes) {
-        open.push_back(false);
-        meshes_.emplace_back();
+        items.emplace_back();
         if (mesh.indices.empty()) continue;
         const Result<MeshId> id = device_->createMesh(mesh);
         if (!id) return id.diagnostics();
-        meshes_.back() = *id;
-        open.back() = isOpen(mesh);
+        meshes_.push_back(*id);
+        items.back().mesh = *id;
+        items.back().count = static_cast<std::uint32_t>(mesh.indices.size());
+        items.back().sheet = isOpen(mesh);
+        setBounds(items.back(), mesh);
     }
     for (const SceneInstance& instance : scene.instances) {
-        if (!meshes_[instance.mesh]) continue;
-        const auto count = static_cast<std::uint32_t>(scene.meshes[instance.mesh].indices.size());
-        DrawItem item = {meshes_[instance.mesh], 0, count, instance.world_from_model,
-                         instance.material};
-        setBounds(item, scene.meshes[instance.mesh]);
-        item.sheet = open[instance.mesh];
+        DrawItem item = items[instance.mesh];
+        if (!item.mesh) continue;
+        item.world_from_model = instance.world_from_model;
+        item.material = instance.material;
         frame_.draws.push_back(item);
     }
     return {};

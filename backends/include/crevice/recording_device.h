@@ -210,6 +210,7 @@ private:
     DepthRange depth_range_;
     std::map<std::uint32_t, Object> objects_;  // by id; the dead ones too, while the log names them
     std::uint32_t last_id_ = 0;                // ids are never used again
+    std::set<std::uint32_t> framebuffers_;     // those alive
     std::vector<Record> records_;
     std::vector<std::uint32_t> words_;
     std::vector<PassInfo> passes_;  // those in the log

@@ -42,6 +42,27 @@ struct Wedge {
     }
     double middle() const { return (high + low) / 2.0; }
     double apex() const { return (high - low) / (2.0 * tangent); }  // the nearest place of the eye
+    bool operator==(const Wedge& other) const { return high == other.high && low == other.low; }
+};
+
+// What is seen along one direction: turned so that it is -z.
+struct SeenCorners {
+    glm::dmat3 turned_from_world;
+    Wedge horizontal, vertical;
+    Bounds turned = {};
+
+    void add(const glm::dvec3& world)
+    {
+        const glm::dvec3 corner = turned_from_world * world;
+        turned.add(corner);
+        horizontal.add(corner.x, corner.z);
+        vertical.add(corner.y, corner.z);
+    }
+    bool operator==(const SeenCorners& other) const
+    {
+        return turned == other.turned && horizontal == other.horizontal &&
+               vertical == other.vertical;
+    }
 };
 
 // What the text of a camera says, before it is made into one.
@@ -207,14 +228,9 @@ SceneCamera frameScene(const Scene& scene, double aspect)
     const glm::dvec3 towards_eye = glm::normalize(kThreeQuarter);
     const glm::dmat3 turned_from_world = lookAt(towards_eye, glm::dvec3(0.0), {0, 1, 0});
     const double tan_y = std::tan(camera.fov_y_rad / 2.0) / kMargin;
-    Wedge horizontal = {tan_y * aspect}, vertical = {tan_y};
-    Bounds turned;
-    scene.visitCorners([&](const glm::dvec3& world) {
-        const glm::dvec3 corner = turned_from_world * world;
-        turned.add(corner);
-        horizontal.add(corner.x, corner.z);
-        vertical.add(corner.y, corner.z);
-    });
+    SeenCorners seen = {turned_from_world, {tan_y * aspect}, {tan_y}};
+    scene.addCorners(seen);
+    const auto& [matrix, horizontal, vertical, turned] = seen;
     if (turned.empty()) return camera;
     const double room = turned.diagonal() > 0.0 ? kLeastRoom * turned.diagonal() : 1.0;
     const glm::dvec3 eye = {horizontal.middle(), vertical.middle(),

@@ -69,10 +69,22 @@ glm::dvec3 Bounds::corner(int index) const
     return {index & 1 ? max.x : min.x, index & 2 ? max.y : min.y, index & 4 ? max.z : min.z};
 }
 
+MeshCorners::MeshCorners(const MeshDesc& mesh)
+{
+    std::vector<bool> used(mesh.vertices.size());
+    for (const std::uint32_t index : mesh.indices) {
+        if (used[index]) continue;
+        used[index] = true;
+        const float* p = mesh.vertices[index].position;
+        places.emplace_back(p[0], p[1], p[2]);
+        box.add(places.back());
+    }
+}
+
 Bounds Scene::bounds() const
 {
     Bounds bounds;
-    visitCorners([&bounds](const glm::dvec3& corner) { bounds.add(corner); });
+    addCorners(bounds);
     return bounds;
 }
 

@@ -19,6 +19,7 @@ struct Bounds {
 
     void add(const glm::dvec3& point);
     bool empty() const { return min.x > max.x; }
+    bool operator==(const Bounds& other) const { return min == other.min && max == other.max; }
     glm::dvec3 center() const { return min * 0.5 + max * 0.5; }
     double diagonal() const;             ///< Length from corner to corner; 0 when empty.
     glm::dvec3 corner(int index) const;  ///< Bits 0, 1, 2 of `index` choose max in x, y, z.
@@ -48,6 +49,20 @@ struct SceneInstance {
     int mesh = 0;  ///< Into Scene::meshes.
     glm::dmat4 world_from_model = glm::dmat4(1.0);
     int material = 0;  ///< Into Scene::materials.
+
+    /// In the world, of a point of the mesh.
+    glm::dvec3 place(const glm::dvec3& point) const
+    {
+        return world_from_model * glm::dvec4(point, 1.0);
+    }
+};
+
+/// The corners of a mesh's triangles, each once, and their box; vertices of no triangle are none.
+struct MeshCorners {
+    explicit MeshCorners(const MeshDesc& mesh);
+
+    std::vector<glm::vec3> places = {};
+    Bounds box = {};
 };
 
 struct SceneCamera {
@@ -78,19 +93,28 @@ struct Scene {
     std::vector<SceneLight> lights = {};
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour from all around; configs scale it.
 
-    /// The box around every triangle of every instance. Walks all vertices; keep the result.
+    /// The box around every triangle of every instance; see `addCorners` for its cost.
     Bounds bounds() const;
 
-    /// Calls `visit` with the place in the world of each corner of each triangle of each instance.
-    template <class Visit>
-    void visitCorners(Visit&& visit) const
+    /// Adds the place in the world of each corner of each triangle of each instance to `hull`,
+    /// which has `add(place)` and is equal to a copy of it that has not grown. Walks the vertices
+    /// of all meshes, and those of an instance where its mesh's box would make the hull grow.
+    template <class Hull>
+    void addCorners(Hull& hull) const
     {
-        for (const SceneInstance& instance : instances) {
-            const MeshDesc& mesh = meshes[instance.mesh];
-            for (const std::uint32_t index : mesh.indices) {
-                const float* p = mesh.vertices[index].position;
-                visit(glm::dvec3(instance.world_from_model * glm::dvec4(p[0], p[1], p[2], 1.0)));
-            }
+        std::vector<MeshCorners> corners;
+        for (const MeshDesc& mesh : meshes) corners.emplace_back(mesh);
+        // One of each first, within which most others lie.
+        for (const SceneInstance& each : instances)
+            if (!corners[each.mesh].places.empty())
+                hull.add(each.place(corners[each.mesh].places[0]));
+        for (const SceneInstance& each : instances) {
+            Hull grown = hull;
+            const MeshCorners& mesh = corners[each.mesh];
+            for (int k = 0; k < 8 && !mesh.places.empty(); ++k)
+                grown.add(each.place(mesh.box.corner(k)));
+            if (grown == hull) continue;
+            for (const glm::vec3& corner : mesh.places) hull.add(each.place(corner));
         }
     }
 };

@@ -50,11 +50,12 @@ Bounds clipBounds(const Scene& scene, const SceneCamera& camera, Extent extent)
                                        glm::dmat4(camera.view_from_world);
     Bounds reached;
     bool behind = false;
-    scene.visitCorners([&](const glm::dvec3& corner) {
-        const glm::dvec4 clip = clip_from_world * glm::dvec4(corner, 1);
-        behind |= clip.w <= 0;
-        reached.add(glm::dvec3(clip) / clip.w);
-    });
+    for (const SceneInstance& instance : scene.instances)
+        for (const glm::vec3& corner : MeshCorners(scene.meshes[instance.mesh]).places) {
+            const glm::dvec4 clip = clip_from_world * glm::dvec4(instance.place(corner), 1);
+            behind |= clip.w <= 0;
+            reached.add(glm::dvec3(clip) / clip.w);
+        }
     return behind ? Bounds() : reached;
 }
 

@@ -67,6 +67,25 @@ TEST_CASE("bounds hold every instance and ignore vertices that no triangle uses"
     CHECK(Scene().bounds().empty());
 }
 
+TEST_CASE("bounds of turned instances are those of their corners, not of their boxes' corners")
+{
+    Scene scene;
+    MeshDesc mesh;
+    mesh.vertices = {{{1, 0, 0}}, {{0, 1, 0}}, {{-1, -1, 0}}};
+    mesh.indices = {0, 1, 2};
+    scene.meshes = {mesh};
+    Bounds each;  // corner by corner
+    for (int k = 0; k < 100; ++k) {
+        const glm::dvec3 to = {k % 10, k / 10, 0};
+        const glm::dvec3 axis = {1, 2, k % 3};
+        scene.instances.push_back(
+            {0, glm::rotate(glm::translate(glm::dmat4(1), to), k * 0.7, glm::normalize(axis))});
+        for (const glm::vec3& corner : MeshCorners(mesh).places)
+            each.add(scene.instances.back().place(corner));
+    }
+    CHECK(scene.bounds() == each);
+}
+
 TEST_CASE("depth planes that are left open hold the whole scene, and little more")
 {
     SceneCamera camera;

@@ -182,7 +182,7 @@ bool hasArea(const Scene& scene)
         const MeshDesc& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const auto placed = [&](std::uint32_t index) {
             const float* p = mesh.vertices[index].position;
-            return glm::dvec3(instance.world_from_model * glm::dvec4(p[0], p[1], p[2], 1));
+            return instance.place({p[0], p[1], p[2]});
         };
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
             const glm::dvec3 corner = placed(mesh.indices[i]);
