@@ -4,6 +4,7 @@
 
 #include "backends/gl/api.h"
 #include "backends/gl/formats.h"
+#include "backends/gl/objects.h"
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -49,6 +50,19 @@ T valueAt(const std::vector<std::uint8_t>& bytes, std::size_t index)
 }
 
 }  // namespace
+
+TEST_CASE("ids that were freed are given out again, and a new one is found at once")
+{
+    GlPool<int> pool;
+    for (std::uint32_t id = 1; id <= 200000; ++id)
+        REQUIRE(pool.add(0) == id);  // not in squared time
+    pool.retire(7);
+    pool.retire(7);
+    CHECK(pool.find(7) == nullptr);
+    CHECK(pool.add(42) == 7);
+    CHECK(pool.at(7) == 42);
+    CHECK(pool.add(0) == 200001);
+}
 
 TEST_CASE("a context that lacks a function is refused by the function's name")
 {

@@ -5,6 +5,8 @@
 #include "tests/support/catch.h"
 #include "tests/support/need.h"
 
+#include <chrono>
+
 using namespace crevice;
 
 namespace {
@@ -247,4 +249,17 @@ TEST_CASE("What makes no sense is blamed, in words that say which object and why
     rig.device.destroy(TextureId{});  // null is nothing to blame
     rig.presentAfter(StoreOp::store);
     CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("many objects are destroyed without a look at each for each")
+{
+    RecordingDevice device;
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<TextureId> textures(50000);
+    for (TextureId& texture : textures)
+        texture = need(device.createTexture({"t", Format::rgba8, {1, 1}}));
+    for (const TextureId texture : textures) device.destroy(texture);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    CHECK(device.live() == 0);
+    CHECK(taken.count() < 5);
 }

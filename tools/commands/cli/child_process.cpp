@@ -46,22 +46,13 @@ std::uint64_t addressSpace()
            static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-// Never above what holds already.
 template <class Resource>
 void limitTo(Resource resource, std::uint64_t value)
 {
     rlimit limit = {};
     if (getrlimit(resource, &limit) != 0) return;
-    limit.rlim_cur = std::min(limit.rlim_cur, static_cast<rlim_t>(value));
+    limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(value));
     setrlimit(resource, &limit);
-}
-
-// The time of the processor ends a child whose parent is gone.
-void limitSelf(const ChildLimits& limits)
-{
-    limitTo(RLIMIT_CORE, 0);
-    limitTo(RLIMIT_CPU, static_cast<std::uint64_t>(std::ceil(limits.time_s)) + 1);
-    if (!kSanitized) limitTo(RLIMIT_AS, addressSpace() + limits.memory);
 }
 
 // What a library says of its own end is not for the user, and no business of this process's signal
@@ -71,7 +62,8 @@ void silence()
     const int nowhere = open("/dev/null", O_WRONLY);
     for (const int file : {STDOUT_FILENO, STDERR_FILENO})
         if (nowhere >= 0) dup2(nowhere, file);
-    for (const int number : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) signal(number, SIG_DFL);
+    for (const int number : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGXCPU})
+        signal(number, SIG_DFL);
 }
 
 [[noreturn]] void runChild(int file, const ChildLimits& limits,
@@ -95,6 +87,16 @@ ChildEnd endOf(const Receiver& receiver)
 }
 
 }  // namespace
+
+// The time of the processor also ends a child whose parent is gone.
+void limitSelf(const ChildLimits& limits)
+{
+    static const std::uint64_t at_start = addressSpace();
+    limitTo(RLIMIT_CORE, 0);
+    const double cpu_s = std::min(limits.cpu_s, limits.time_s + 1);
+    limitTo(RLIMIT_CPU, static_cast<std::uint64_t>(std::ceil(cpu_s)));
+    if (!kSanitized) limitTo(RLIMIT_AS, at_start + limits.memory);
+}
 
 void Sender::bytes(void* data, std::size_t size)
 {
@@ -123,7 +125,12 @@ void Sender::write(const char* data, std::size_t size)
     }
 }
 
-Receiver::Receiver(int file, double time_s) : file_(file), deadline_s_(now() + time_s) {}
+Receiver::Receiver(int file, const ChildLimits& limits)
+    : file_(file),
+      deadline_s_(now() + limits.time_s),
+      left_(limits.answer)
+{
+}
 
 bool Receiver::fill()
 {
@@ -146,6 +153,7 @@ bool Receiver::fill()
 void Receiver::bytes(void* data, std::size_t size)
 {
     char* to = static_cast<char*>(data);
+    if (holds(size)) left_ -= size;
     while (size > 0) {
         if (!failed_ && next_ == read_.size()) failed_ = !fill();
         if (failed_) {
@@ -173,12 +181,15 @@ ChildEnd runInChild(const ChildLimits& limits, const std::function<void(Sender&)
     close(ends[1]);
     ChildEnd end = ChildEnd::no_child;
     if (child > 0) {
-        Receiver receiver(ends[0], limits.time_s);
+        Receiver receiver(ends[0], limits);
         receive(receiver);
         end = endOf(receiver);
         kill(child, SIGKILL);  // it has nothing left to do, or is to do no more
-        while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+        int status = 0;
+        while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
         }
+        if (end == ChildEnd::crashed && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+            end = ChildEnd::too_long;
     }
     close(ends[0]);
     return end;

@@ -188,21 +188,26 @@ struct StbFree {
     void operator()(void* pixels) const { stbi_image_free(pixels); }
 };
 
-Status checkImageSize(const std::string& name, Extent extent, int channels)
+Status checkImageSize(const std::string& name, Extent extent, int channels, double most_pixels)
 {
-    if (static_cast<double>(extent.width) * extent.height * channels <= kMaxImageValues) return {};
-    return brokenImage(name, "it is " + std::to_string(extent.width) + "x" +
-                                 std::to_string(extent.height) + " pixels, more than are read");
+    const double limit = std::min(kMaxImageValues / channels, std::floor(most_pixels));
+    if (static_cast<double>(extent.width) * extent.height <= limit) return {};
+    Diagnostic error = brokenImage(
+        name, "it is " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
+                  " pixels, more than the " + std::to_string(static_cast<long long>(limit)) +
+                  " that it may have here");
+    error.help = "scale it down";
+    return error;
 }
 
-Result<Image> decodeByStb(std::string_view bytes, const std::string& name)
+Result<Image> decodeByStb(std::string_view bytes, const std::string& name, double most_pixels)
 {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT32_MAX));
     Extent extent;
     int channels = 0;
     if (stbi_info_from_memory(data, size, &extent.width, &extent.height, &channels))
-        if (const Status fits = checkImageSize(name, extent, channels); !fits)
+        if (const Status fits = checkImageSize(name, extent, channels, most_pixels); !fits)
             return fits.diagnostics();
     if (stbi_is_16_bit_from_memory(data, size)) {
         const std::unique_ptr<stbi_us, StbFree> rows(
@@ -293,17 +298,17 @@ Status writeImage(const std::string& path, const Image& image)
     return error;
 }
 
-Result<Image> readImage(const std::string& path)
+Result<Image> readImage(const std::string& path, double most_pixels)
 {
     const FileBytes file = readBytes(path, kMaxImageBytes);
     if (!file) return brokenImage(path, file.failure);
-    return decodeImage(file.bytes, path);
+    return decodeImage(file.bytes, path, most_pixels);
 }
 
-Result<Image> decodeImage(std::string_view bytes, const std::string& name)
+Result<Image> decodeImage(std::string_view bytes, const std::string& name, double most_pixels)
 {
     if (bytes.empty()) return brokenImage(name, "it is empty");
-    return isPfm(bytes) ? decodePfm(bytes, name) : decodeByStb(bytes, name);
+    return isPfm(bytes) ? decodePfm(bytes, name) : decodeByStb(bytes, name, most_pixels);
 }
 
 }  // namespace crevice

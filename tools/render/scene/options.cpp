@@ -19,7 +19,7 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
         "--any-format", options.any_format,
         "Read a scene in any format that Assimp supports; most of its readers are little tested");
     app.add_option("--import-time", options.time_s,
-                   "Time limit for reading the scene, in seconds. Default: 10, plus 1 for each MiB "
+                   "Time limit for reading the scene, in seconds. Default: 3, plus 1 for each MiB "
                    "of the file")
         ->type_name("SECONDS")
         ->check(CLI::Range(1, 86400));

@@ -127,7 +127,7 @@ glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& b
 struct ImportOptions {
     /// Every format that Assimp knows, and not glTF 2.0, OBJ, PLY, STL and 3DS alone.
     bool any_format = false;
-    double time_s = 0;  ///< At most; 0 leaves 10 s and another for each MiB of the file.
+    double time_s = 0;  ///< At most; 0 leaves 3 s and another for each MiB of the file.
     /// Folders beside the file's own, files below which it may name.
     std::vector<std::string> roots = {};
 };

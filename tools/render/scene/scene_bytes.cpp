@@ -93,7 +93,8 @@ bool isSound(const Image& image)
            static_cast<std::uint64_t>(extent.width) * extent.height * image.channels;
 }
 
-// Whether all that it refers to is there.
+}  // namespace
+
 bool isSound(const Scene& scene)
 {
     for (const MeshDesc& mesh : scene.meshes)
@@ -109,8 +110,6 @@ bool isSound(const Scene& scene)
             if (!isIndexOrNone(scene.textures, texture)) return false;
     return true;
 }
-
-}  // namespace
 
 std::string sceneBytes(const Scene& scene)
 {

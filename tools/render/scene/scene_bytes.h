@@ -13,6 +13,9 @@ namespace crevice {
 /// All of the scene. The same scene gives the same bytes, on 32 and on 64 bits.
 std::string sceneBytes(const Scene& scene);
 
+/// Whether all that it refers to is there, and its pictures are whole.
+bool isSound(const Scene& scene);
+
 /// What `sceneBytes` wrote, or something else: nothing is read behind the end, memory is taken in
 /// proportion to what is there, and all that the scene refers to exists.
 ///

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <new>
 
@@ -57,6 +58,41 @@ TEST_CASE("a child that crashes, ends, throws or hangs is distinguished from one
     CHECK(runInChild(limits, hang, kNothing) == ChildEnd::too_long);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     CHECK(taken.count() < 5);
+}
+
+TEST_CASE("a child is ended at its limit of the processor's time, and may give itself more")
+{
+    ChildLimits limits;
+    limits.time_s = 300;
+    limits.cpu_s = 1;
+    const auto work = [](double seconds) {
+        while (static_cast<double>(std::clock()) / CLOCKS_PER_SEC < seconds) {
+        }
+    };
+    CHECK(runInChild(
+              limits, [&](Sender&) { work(100); }, kNothing) == ChildEnd::too_long);
+    const auto more = [&](Sender& sender) {
+        ChildLimits larger = limits;
+        larger.cpu_s = 100;
+        limitSelf(larger);
+        work(1.5);
+        sender.bytes(&larger, 1);
+    };
+    CHECK(runInChild(limits, more, kNothing) == ChildEnd::done);
+}
+
+TEST_CASE("a child that sends more than it may is not listened to")
+{
+    ChildLimits limits;
+    limits.answer = 1000;
+    for (const std::size_t size : {1000u, 1001u}) {
+        std::vector<char> sent(size, 'x'), received(size);
+        const ChildEnd end = runInChild(
+            limits, [&](Sender& sender) { sender.bytes(sent.data(), size); },
+            [&](Receiver& receiver) { receiver.bytes(received.data(), size); });
+        CHECK(end == (size <= limits.answer ? ChildEnd::done : ChildEnd::crashed));
+        CHECK(received.back() == (size <= limits.answer ? 'x' : '\0'));
+    }
 }
 
 #ifndef __SANITIZE_ADDRESS__

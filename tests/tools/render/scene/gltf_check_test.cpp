@@ -52,11 +52,8 @@ TEST_CASE("what is read, or is JSON of any shape, passes without a word")
         CHECK(check(members).diagnostics().empty());
     }
     const TemporaryFolder folder("gltf_shapes");
-    const std::string lies =
-        "glTF" + littleEndian(2) + littleEndian(20) + littleEndian(0xfffffff0u) + "JSON{";
-    for (const auto& [name, bytes] : {std::pair<const char*, std::string>("cut.gltf", "{\"asset\""),
-                                      {"cut.glb", "glTF\x02"},
-                                      {"lies.glb", lies}})
+    for (const auto& [name, bytes] :
+         {std::pair<const char*, std::string>("cut.gltf", "{\"asset\""), {"cut.glb", "glTF\x02"}})
         CHECK(checkGltf(folder.write(name, bytes), false).diagnostics().empty());
 }
 

@@ -118,6 +118,87 @@ TEST_CASE("a file that lies about its counts does not fill the memory")
 }
 #endif
 
+TEST_CASE("a file that counts more than it has bytes for is refused before it is read")
+{
+    const std::string huge = "\xf0\xff\xff\xff", head("glTF\2\0\0\0\x20\0\0\0", 12);
+    const std::string ply = "ply\nformat ascii 1.0\nelement vertex ";
+    const std::string accessor = R"("accessors": [{"componentType": 5126, "count": 200000000,
+        "type": "VEC3", "sparse": {"count": 1, "indices": {}, "values": {}}}])";
+    std::string doubled, chain, roots = "[0";
+    for (int k = 1; k <= 40; ++k) {
+        const std::string next = std::to_string(k);
+        doubled += "{\"children\": [" + next + "," + next + "]},";
+    }
+    for (int k = 1; k <= 2000; ++k) chain += "{\"children\": [" + std::to_string(k) + "]},";
+    for (int k = 0; k < 80000; ++k) roots += ",0";
+    const std::string scene = R"(, "scenes": [{"nodes": [0]}])";
+    const std::string one = R"({"mesh": 0}], "meshes": [{"primitives": [{}]}])";
+    const std::pair<std::string, std::string> files[] = {
+        {"json.glb", head + huge + "JSON"},
+        {"binary.glb", head + std::string("\2\0\0\0JSON{}", 10) + huge + std::string("BIN\0", 4)},
+        {"vertices.ply", ply + "268435456\nproperty float x\nend_header\n0\n"},
+        {"faces.ply", ply + "1\nproperty float x\nelement\tface  268435456\nend_header\n0\n"},
+        {"sparse.gltf", "{" + accessor + "}"},
+        {"doubled.gltf", "{\"nodes\": [" + doubled + one + scene + "}"},
+        {"chain.gltf", "{\"nodes\": [" + chain + one + scene + "}"},
+        {"roots.gltf", "{\"nodes\": [" + one + R"(, "scenes": [{"nodes": )" + roots + "]}]}"}};
+    const TemporaryFolder folder("scene_claims");
+    for (const auto& [name, text] : files) {
+        INFO(name);
+        const Diagnostic error = onlyError(importScene(folder.write(name, text)));
+        CHECK(error.code == Code::scene_broken);
+        CHECK(error.message.find(name + "' has ") != std::string::npos);
+        CHECK(error.message.find(" may have ") != std::string::npos);
+    }
+}
+
+TEST_CASE("triangles in more meshes or at more nodes than the files' size allows are refused")
+{
+    constexpr int kTriangles = 20000;
+    const TemporaryFolder folder("scene_unfolds");
+    folder.write("a.bin", std::string(kTriangles * 36, '\0'));
+    const auto imported = [&](int primitives, int nodes) {
+        const std::string bytes = std::to_string(kTriangles * 36);
+        std::string parts, all, roots;
+        for (int k = 0; k < primitives; ++k)
+            parts += std::string(k ? "," : "") + R"({"attributes": {"POSITION": 0}})";
+        for (int k = 0; k < nodes; ++k) {
+            all += std::string(k ? "," : "") + R"({"mesh": 0})";
+            roots += (k ? "," : "") + std::to_string(k);
+        }
+        return importScene(folder.write(
+            "a.gltf",
+            R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "a.bin", "byteLength": )" + bytes +
+                R"(}], "bufferViews": [{"buffer": 0, "byteLength": )" + bytes +
+                R"(}], "accessors": [{"bufferView": 0, "componentType": 5126, "count": )" +
+                std::to_string(kTriangles * 3) +
+                R"(, "type": "VEC3"}], "meshes": [{"primitives": [)" + parts +
+                R"(]}], "nodes": [)" + all + R"(], "scenes": [{"nodes": [)" + roots + "]}]}"));
+    };
+    CHECK(onlyError(imported(1, 10)).code == Code::scene_empty);  // all of them lie at one place
+    const Diagnostic drawn = onlyError(imported(1, 1000));
+    CHECK(drawn.message.find("has 20000000 triangles at all nodes") != std::string::npos);
+    const Diagnostic meshes = onlyError(imported(200, 1));
+    CHECK(meshes.message.find("has 4000000 triangles, ") != std::string::npos);
+}
+
+TEST_CASE("a texture of more texels than the files' size allows is left out, with the way out")
+{
+    const Textured set("inside.png");
+    set.folder.write(
+        "scene/inside.png",
+        std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x20\0\0\0\x20\0\10\6\0\0\0", 29) +
+            std::string(64, '\0'));
+    const auto scene = importScene(set.scene);
+    REQUIRE(scene.ok());
+    CHECK(scene->textures.empty());
+    REQUIRE(scene.diagnostics().size() == 1);
+    CHECK(scene.diagnostics()[0].code == Code::image_broken);
+    CHECK(scene.diagnostics()[0].message.find("inside.png") != std::string::npos);
+    CHECK(scene.diagnostics()[0].message.find("8192x8192 pixels, more than") != std::string::npos);
+    CHECK(scene.diagnostics()[0].help.find("scale it down") != std::string::npos);
+}
+
 TEST_CASE("a format that is not asked for is not tried, whatever the file is called")
 {
     const TemporaryFolder folder("scene_formats");

@@ -86,6 +86,30 @@ TEST_CASE("bounds of turned instances are those of their corners, not of their b
     CHECK(scene.bounds() == each);
 }
 
+TEST_CASE("bounds of many instances do not walk all of their triangles")
+{
+    struct Counted : Bounds {
+        long long added = 0;
+        void add(const glm::dvec3& point) { Bounds::add(point), ++added; }
+    };
+    Scene scene;
+    scene.meshes.resize(1);
+    constexpr int kCorners = 3000, kInstances = 5000;
+    for (std::uint32_t k = 0; k < kCorners; ++k) {
+        const auto x = static_cast<float>(std::cos(k * 0.1)), y = static_cast<float>(std::sin(k));
+        scene.meshes[0].vertices.push_back({{x, y, 0}});
+        scene.meshes[0].indices.push_back(k);
+    }
+    for (int k = 0; k < kInstances; ++k)
+        scene.instances.push_back(
+            {0, glm::translate(glm::dmat4(1), glm::dvec3(k % 70, k / 70, 0))});
+    Counted hull;
+    scene.addCorners(hull);
+    CHECK(hull == scene.bounds());
+    CHECK(hull.max.x > 69.9);
+    CHECK(hull.added < kCorners * kInstances / 10);
+}
+
 TEST_CASE("depth planes that are left open hold the whole scene, and little more")
 {
     SceneCamera camera;

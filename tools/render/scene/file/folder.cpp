@@ -20,6 +20,7 @@ SceneFolder::SceneFolder(const std::string& scene, const std::vector<std::string
         const fs::path root = fs::canonical(folder.empty() ? "." : folder, error);
         if (!error) roots_.push_back(root);
     }
+    opens(scene);
 }
 
 bool SceneFolder::isBelow(const fs::path& file) const
@@ -44,6 +45,13 @@ bool SceneFolder::refuses(const fs::path& file)
     if (file == scene_ || !fs::exists(file, error) || isBelow(file)) return false;
     refused_.insert(file.string());
     return true;
+}
+
+void SceneFolder::opens(const fs::path& file)
+{
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    if (!error && opened_.insert(file.string()).second) bytes_ += size;
 }
 
 Diagnostic SceneFolder::warning() const

@@ -4,6 +4,7 @@
 
 #include <crevice/diagnostic.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -21,6 +22,12 @@ public:
     /// Whether there is such a file elsewhere; it is kept for `warning` then.
     bool refuses(const std::filesystem::path& file);
 
+    /// Counts its size, once.
+    void opens(const std::filesystem::path& file);
+
+    /// Of the scene and of all that was opened.
+    std::uint64_t bytes() const { return bytes_; }
+
     bool refusedAny() const { return !refused_.empty(); }
 
     /// CV1204, which names what was refused. Requires refusedAny().
@@ -32,6 +39,8 @@ private:
     std::string scene_;
     std::vector<std::filesystem::path> roots_;
     std::set<std::string> refused_;
+    std::set<std::string> opened_;
+    std::uint64_t bytes_ = 0;
 };
 
 }  // namespace crevice

@@ -4,12 +4,15 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "tools/render/scene/file/limits.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace crevice {
@@ -65,25 +68,51 @@ const Extension& extensionNamed(const std::string& name)
     return found == std::end(kExtensions) ? kUnheardOf : *found;
 }
 
-// The JSON chunk of a .glb file, or the whole of a .gltf file.
-std::string jsonText(const std::string& path)
+std::uint64_t littleEndian(std::string_view bytes)
 {
-    constexpr std::size_t kHead = 20;  // of the file, and of its first chunk
+    std::uint64_t value = 0;
+    for (int k = 3; k >= 0; --k) value = value << 8 | static_cast<unsigned char>(bytes[k]);
+    return value;
+}
+
+// The JSON chunk of a .glb file, or the whole of a .gltf file. Errors: CV7002 for a chunk that is
+// longer than the file.
+Result<std::string> jsonText(const std::string& path, std::uint64_t size)
+{
+    constexpr std::size_t kHead = 20, kNext = 8;  // of the file and its first chunk; of another
     const std::string head = readStart(path, kHead).bytes;
     if (head.size() < kHead || !startsWith(head, "glTF"))
         return readStart(path, std::numeric_limits<std::uint32_t>::max()).bytes;
-    std::size_t length = 0;
-    for (int k = 3; k >= 0; --k) length = length << 8 | static_cast<unsigned char>(head[12 + k]);
-    return readStart(path, kHead + length).bytes.substr(kHead);
+    std::uint64_t length = littleEndian(head.substr(12)), end = kHead + length;
+    std::string text;
+    if (end <= size) {
+        text = readStart(path, end + kNext).bytes.substr(kHead);
+        if (text.size() == length + kNext) end += kNext + littleEndian(text.substr(length));
+    }
+    if (end > size) {
+        const auto limit = static_cast<double>(size);
+        return overLimit(path, "bytes in its chunks", static_cast<double>(end), limit, size);
+    }
+    text.resize(length);
+    return text;
 }
+
+const json kNull;
 
 // The member of that name; null where there is none, or nothing has members.
 const json& member(const json& object, const char* name)
 {
-    static const json kNull;
     if (!object.is_object()) return kNull;
     const auto found = object.find(name);
     return found == object.end() ? kNull : *found;
+}
+
+// The entry of a list; null where there is none.
+const json& entryOf(const json& list, const json& index)
+{
+    if (!list.is_array() || !index.is_number_unsigned()) return kNull;
+    const auto at = index.get<std::size_t>();
+    return at < list.size() ? list[at] : kNull;
 }
 
 std::set<std::string> names(const json& list)
@@ -101,9 +130,7 @@ bool takesIntegers(const json& gltf, std::string_view attribute)
 {
     const json& accessors = member(gltf, "accessors");
     const auto not_float = [&](const json& index) {
-        if (!index.is_number_unsigned() || !accessors.is_array()) return false;
-        if (index.get<std::size_t>() >= accessors.size()) return false;
-        const json& type = member(accessors[index.get<std::size_t>()], "componentType");
+        const json& type = member(entryOf(accessors, index), "componentType");
         return type.is_number() && type != kFloat;
     };
     for (const json& mesh : member(gltf, "meshes"))
@@ -129,6 +156,80 @@ bool takesSecondCoordinates(const json& gltf)
     return false;
 }
 
+// Nodes, and primitives at them, as often as paths lead there.
+class Placements {
+public:
+    explicit Placements(const json& gltf)
+        : nodes_(member(gltf, "nodes")),
+          meshes_(member(gltf, "meshes"))
+    {
+    }
+
+    /// Below a list of nodes. What leads back to itself counts once; Assimp refuses it.
+    double of(const json& list, int depth = 0)
+    {
+        double sum = 0;
+        too_deep_ = too_deep_ || depth > kDeepest;
+        if (!list.is_array() || too_deep_) return sum;
+        for (const json& index : list) {
+            const json& node = entryOf(nodes_, index);
+            const auto [below, added] = below_.try_emplace(&node, 0.0);
+            if (added && !node.is_null()) {
+                const json& mesh = entryOf(meshes_, member(node, "mesh"));
+                below->second = 1 + static_cast<double>(member(mesh, "primitives").size()) +
+                                of(member(node, "children"), depth + 1);
+            }
+            sum += below->second;
+        }
+        return sum;
+    }
+
+    bool tooDeep() const { return too_deep_; }
+    static constexpr int kDeepest = 1000;  // Assimp goes down by recursion
+
+private:
+    const json& nodes_;
+    const json& meshes_;
+    std::map<const json*, double> below_;  // the node itself included
+    bool too_deep_ = false;
+};
+
+// Of the file and its buffers; what is not found has the bytes that it says.
+double bytesOf(const json& gltf, const std::string& path, std::uint64_t size)
+{
+    auto bytes = static_cast<double>(size);
+    for (const json& buffer : member(gltf, "buffers")) {
+        const json &uri = member(buffer, "uri"), &length = member(buffer, "byteLength");
+        if (!uri.is_string() || startsWith(uri.get<std::string>(), "data:")) continue;
+        std::error_code error;
+        const auto file = std::filesystem::path(path).parent_path() / uri.get<std::string>();
+        const std::uintmax_t found = std::filesystem::file_size(file, error);
+        if (!error) bytes += static_cast<double>(found);
+        if (error && length.is_number()) bytes += length.get<double>();
+    }
+    return bytes;
+}
+
+// What the file would unfold to, before Assimp does.
+Status checkClaims(const json& gltf, const std::string& path, double bytes)
+{
+    const auto size = static_cast<std::uint64_t>(std::min(bytes, 1e18));
+    for (const json& accessor : member(gltf, "accessors")) {
+        const json& count = member(accessor, "count");
+        if (count.is_number() && count.get<double>() > bytes)
+            return overLimit(path, "elements in an accessor", count.get<double>(), bytes, size);
+    }
+    Placements placements(gltf);
+    double nodes = 0;
+    for (const json& scene : member(gltf, "scenes")) nodes += placements.of(member(scene, "nodes"));
+    const double limit = sceneLimits(size).nodes;
+    if (nodes > limit) return overLimit(path, "nodes and meshes at them", nodes, limit, size);
+    if (placements.tooDeep())
+        return overLimit(path, "nodes or more one below another", Placements::kDeepest + 1,
+                         Placements::kDeepest, size);
+    return {};
+}
+
 Status required(const std::string& path, const std::set<std::string>& extensions)
 {
     std::vector<std::string> missing, ways_out;
@@ -151,8 +252,14 @@ Status required(const std::string& path, const std::set<std::string>& extensions
 
 Status checkGltf(const std::string& path, bool any_version)
 {
-    const json gltf = json::parse(jsonText(path), nullptr, false);
+    std::error_code unknown;
+    const std::uint64_t size = std::filesystem::file_size(path, unknown);
+    const Result<std::string> text = jsonText(path, size);
+    if (!text) return text.diagnostics();
+    const json gltf = json::parse(*text, nullptr, false);
     if (!gltf.is_object()) return {};
+    const Status fits = checkClaims(gltf, path, bytesOf(gltf, path, size));
+    if (!fits) return fits;
     const json& version = member(member(gltf, "asset"), "version");
     if (!any_version && version.is_string() && !startsWith(version.get<std::string>(), "2.")) {
         Diagnostic error = {Code::scene_broken, "the scene '" + path + "' is of glTF " +

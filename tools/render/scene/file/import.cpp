@@ -3,10 +3,12 @@
 #include "tools/render/scene/file/import.h"
 
 #include "core/base/files.h"
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/file/folder.h"
 #include "tools/render/scene/file/gltf_check.h"
+#include "tools/render/scene/file/limits.h"
 #include "tools/render/scene/file/materials.h"
 #include "tools/render/scene/mesh_normals.h"
 #include "tools/render/scene/views.h"
@@ -40,6 +42,9 @@ constexpr unsigned kPostProcess =
 
 // Without the dot, as Assimp writes them. Its readers of other formats are older and less tried.
 constexpr std::string_view kDefaultFormats[] = {"gltf", "glb", "obj", "ply", "stl", "3ds"};
+
+// Files so large that their reader has no limit but the machine's.
+constexpr std::uint64_t kAnySize = 1ull << 40;
 
 // What Assimp says of a file may quote all of it.
 constexpr std::size_t kLongestReason = 300;  // bytes
@@ -209,21 +214,56 @@ Scene sceneFrom(const aiScene& from, const std::string& path, SceneFolder& folde
     return scene;
 }
 
-// Opens what the scene's folder allows, and nothing for writing.
+// Assimp's scene may draw a mesh at many places, and have more than is in the files.
+Status checkCounts(const aiScene& scene, const std::string& path, std::uint64_t bytes)
+{
+    const SceneLimits limits = sceneLimits(bytes);
+    double triangles = 0, drawn = 0, nodes = 0;
+    for (unsigned mesh = 0; mesh < scene.mNumMeshes; ++mesh)
+        triangles += scene.mMeshes[mesh]->mNumFaces;
+    std::vector<const aiNode*> open = {scene.mRootNode};
+    while (!open.empty()) {
+        const aiNode& node = *open.back();
+        open.pop_back();
+        nodes += 1 + node.mNumMeshes;
+        for (unsigned k = 0; k < node.mNumMeshes; ++k)
+            if (node.mMeshes[k] < scene.mNumMeshes)
+                drawn += scene.mMeshes[node.mMeshes[k]]->mNumFaces;
+        open.insert(open.end(), node.mChildren, node.mChildren + node.mNumChildren);
+    }
+    if (nodes > limits.nodes)
+        return overLimit(path, "nodes and meshes at them", nodes, limits.nodes, bytes);
+    if (triangles > limits.triangles)
+        return overLimit(path, "triangles", triangles, limits.triangles, bytes);
+    if (drawn > limits.drawn)
+        return overLimit(path, "triangles at all nodes", drawn, limits.drawn, bytes);
+    return {};
+}
+
+// Opens what the scene's folder allows, and nothing for writing. The reader may take more for each
+// file.
 class SceneFiles : public Assimp::DefaultIOSystem {
 public:
-    explicit SceneFiles(SceneFolder& folder) : folder_(folder) {}
+    SceneFiles(SceneFolder& folder, const ImportOptions& options)
+        : folder_(folder),
+          options_(options)
+    {
+    }
 
     bool Exists(const char* file) const override { return folder_.allows(file); }
     Assimp::IOStream* Open(const char* file, const char* mode) override
     {
         const bool reads = std::string_view(mode).find_first_of("wa+") == std::string_view::npos;
         const bool opens = reads && !folder_.refuses(file) && folder_.allows(file);
-        return opens ? DefaultIOSystem::Open(file, mode) : nullptr;
+        if (!opens) return nullptr;
+        folder_.opens(file);
+        limitSelf(readerLimits(folder_.bytes(), options_));
+        return DefaultIOSystem::Open(file, mode);
     }
 
 private:
     SceneFolder& folder_;
+    const ImportOptions& options_;
 };
 
 // A file is otherwise read by whichever reader knows its first bytes, whatever its name.
@@ -239,7 +279,7 @@ void keepDefaultFormats(Assimp::Importer& importer)
 void configure(Assimp::Importer& importer, const ImportOptions& options, SceneFolder& folder)
 {
     if (!options.any_format) keepDefaultFormats(importer);
-    importer.SetIOHandler(new SceneFiles(folder));  // which it deletes
+    importer.SetIOHandler(new SceneFiles(folder, options));  // which it deletes
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
@@ -291,6 +331,9 @@ Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options
     if (!hasSurface(*read)) return noTriangle(path, dropped);
     const aiScene* const scene = importer.ApplyPostProcessing(kPostProcess);
     if (!scene) return failureOf(importer, path, folder);
+    const Status fits = checkCounts(*scene, path, folder.bytes());
+    if (!fits) return fits.diagnostics();
+    limitSelf(readerLimits(kAnySize, options));  // what follows is our own, and bounded
 
     if (dropped > 0) warnings.push_back(elidedFaces(path, dropped));
     Scene result = sceneFrom(*scene, path, folder, warnings);
@@ -299,13 +342,31 @@ Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options
     return {std::move(result), std::move(warnings)};
 }
 
-// Whether a PLY file was cut off before the end of its header, for which Assimp looks for ever.
-bool endsInHeader(const std::string& path)
+// A PLY file that was cut off before the end of its header, for which Assimp looks for ever, or
+// that counts more elements than it has bytes, for which Assimp takes memory at once.
+Status checkPly(const std::string& path)
 {
     constexpr std::size_t kLongestHeader =
         1 << 20;  // a line an element or property takes some thirty bytes
     const std::string start = readStart(path, kLongestHeader).bytes;
-    return startsWith(start, "ply") && start.find("end_header") == start.npos;
+    if (!startsWith(start, "ply")) return {};
+    if (start.find("end_header") == start.npos)
+        return brokenScene(path, "it ends within its header");
+    std::error_code error;
+    const std::uint64_t bytes = std::filesystem::file_size(path, error);
+    constexpr std::string_view kBlank = " \t", kElement = "element";
+    for (std::size_t at = 0; (at = start.find(kElement, at)) != start.npos;) {
+        const bool begins_line = start[at - 1] == '\n' || start[at - 1] == '\r';
+        at += kElement.size();
+        const std::size_t name = start.find_first_not_of(kBlank, at);
+        std::string_view count = start;
+        count.remove_prefix(std::min(start.find_first_of(kBlank, name), start.size()));
+        const double claimed = takeNumber(count).value_or(0.0);
+        if (begins_line && claimed > static_cast<double>(bytes))
+            return overLimit(path, "elements of one kind", claimed, static_cast<double>(bytes),
+                             bytes);
+    }
+    return {};
 }
 
 }  // namespace
@@ -330,7 +391,7 @@ Diagnostic brokenScene(const std::string& path, const std::string& reason)
 
 Result<Scene> readScene(const std::string& path, const ImportOptions& options)
 {
-    if (endsInHeader(path)) return brokenScene(path, "it ends within its header");
+    if (const Status ply = checkPly(path); !ply) return ply.diagnostics();
     if (!isGltf(path)) return readByAssimp(path, options, {});
     const Status checked = checkGltf(path, options.any_format);
     if (!checked) return checked.diagnostics();

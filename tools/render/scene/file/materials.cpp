@@ -5,6 +5,7 @@
 #include "tools/render/image/image_file.h"
 #include "tools/render/image/srgb.h"
 #include "tools/render/scene/file/folder.h"
+#include "tools/render/scene/file/limits.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -98,31 +99,31 @@ Image imageFromTexels(const aiTexture& texture)
     return image;
 }
 
-Result<Image> readImageFile(const std::string& file)
+Result<Image> readImageFile(const std::string& file, double most_pixels)
 {
     std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-        return Diagnostic{Code::image_broken, "the image '" + file + "' is not a regular file"};
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (!error && size > kMaxTextureBytes)
         return Diagnostic{Code::image_broken, "the image '" + file + "' is larger than 512 MiB"};
-    return readImage(file);
+    return readImage(file, most_pixels);
 }
 
-// Nothing where the file is not one to open.
+// Nothing where the file is not one to open. All textures of a scene have `texels` already.
 std::optional<Result<Image>> readTexture(const aiScene& from, const std::string& scene_path,
-                                         SceneFolder& folder, const std::string& name)
+                                         SceneFolder& folder, const std::string& name,
+                                         double texels)
 {
     const aiTexture* embedded = from.GetEmbeddedTexture(name.c_str());
     if (!embedded) {
         const std::optional<std::string> file = textureFile(scene_path, folder, name);
         if (!file) return std::nullopt;
-        return readImageFile(*file);
+        folder.opens(*file);
+        return readImageFile(*file, sceneLimits(folder.bytes()).texels - texels);
     }
     if (embedded->mHeight > 0) return imageFromTexels(*embedded);
     const std::string_view bytes(reinterpret_cast<const char*>(embedded->pcData), embedded->mWidth);
-    return decodeImage(bytes, scene_path + " (embedded texture " + name + ")");
+    return decodeImage(bytes, scene_path + " (embedded texture " + name + ")",
+                       sceneLimits(folder.bytes()).texels - texels);
 }
 
 // Reads each texture once, whichever materials use it.
@@ -166,10 +167,12 @@ private:
     int read(const std::string& name, Encoding encoding)
     {
         try {
-            const std::optional<Result<Image>> image = readTexture(from_, path_, folder_, name);
+            const std::optional<Result<Image>> image =
+                readTexture(from_, path_, folder_, name, texels_);
             if (!image) return kNone;
             if (!*image) return leaveOut(image->diagnostics().front());
             scene_.textures.push_back({name, linearRgba(**image, encoding)});
+            texels_ += static_cast<double>(scene_.textures.back().image.pixels.size()) / 4;
             return static_cast<int>(scene_.textures.size()) - 1;
         } catch (const std::bad_alloc&) {
             return leaveOut(
@@ -180,7 +183,8 @@ private:
     int leaveOut(Diagnostic warning)
     {
         warning.severity = Severity::warning;
-        warning.help = "the material is drawn without the texture";
+        if (!warning.help.empty()) warning.help += "; ";
+        warning.help += "the material is drawn without the texture";
         warnings_.push_back(std::move(warning));
         return kNone;
     }
@@ -191,6 +195,7 @@ private:
     Scene& scene_;
     Diagnostics& warnings_;
     std::map<std::pair<std::string, Encoding>, int> indices_;
+    double texels_ = 0;  // of what was read
 };
 
 float finiteOr(float value, float otherwise) { return std::isfinite(value) ? value : otherwise; }

@@ -1,44 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Scenes read in a process of their own: Assimp 5.2 asserts on some broken files and never returns
 // from others.
-#include "tools/commands/cli/child_process.h"
 #include "tools/render/scene/file/import.h"
+#include "tools/render/scene/file/limits.h"
+#include "tools/render/scene/scene_bytes.h"
 #include "tools/render/scene/transfer.h"
 
-#include <unistd.h>
-
-#include <algorithm>
 #include <filesystem>
 
 namespace crevice {
 namespace {
-
-constexpr double kMiB = 1 << 20;
-
-// Scenes of ten million triangles, 180 to 500 MiB, take 10 to 20 s on one core that others use as
-// well: a twentieth of what this leaves them.
-constexpr double kLeastTime = 10;
-constexpr double kTimePerMiB = 1;
-
-// Those scenes take 5 to 15 times their size, and twenty textures of 4096 x 4096 texels, as floats,
-// 5 GiB. Never above half of the machine's memory, since this process holds the scene too.
-constexpr std::uint64_t kLeastMemory = 6ull << 30;
-constexpr std::uint64_t kMemoryPerByte = 64;
-
-ChildLimits limitsFor(const std::string& path, const ImportOptions& options)
-{
-    std::error_code error;
-    const std::uint64_t size = std::filesystem::file_size(path, error);
-    const std::uint64_t bytes = error ? 0 : size;
-    const std::uint64_t machine = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
-                                  static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-    ChildLimits limits;
-    limits.time_s = options.time_s > 0
-                        ? options.time_s
-                        : kLeastTime + kTimePerMiB * static_cast<double>(bytes) / kMiB;
-    limits.memory = std::min(machine / 2, kLeastMemory + kMemoryPerByte * bytes);
-    return limits;
-}
 
 // What goes through the pipe.
 struct Answer {
@@ -53,7 +24,7 @@ void transfer(Pipe& pipe, Answer& answer)
     transferAll(pipe, answer.ok, answer.scene, answer.diagnostics);
 }
 
-Answer answerOf(const std::string& path, const ImportOptions& options, const ChildLimits& limits)
+Answer answerOf(const std::string& path, const ImportOptions& options)
 {
     Answer answer;
     try {
@@ -63,10 +34,7 @@ Answer answerOf(const std::string& path, const ImportOptions& options, const Chi
         if (scene) answer.scene = std::move(*scene);
     } catch (const std::bad_alloc&) {
         answer.diagnostics = {brokenScene(
-            path,
-            "it takes more than the " +
-                std::to_string(static_cast<long long>(static_cast<double>(limits.memory) / kMiB)) +
-                " MiB of memory that it may")};
+            path, "it takes more memory than it may, 768 MiB and 64 times the size of its files")};
         answer.diagnostics.front().help =
             "it may claim more than it holds; a scene that is this large has to be split";
     } catch (const std::exception& fault) {
@@ -84,26 +52,28 @@ Diagnostic unfinished(ChildEnd end, const std::string& path, const ChildLimits& 
         error.help = "the file is damaged; export it once more, or convert it to .glb";
         return error;
     }
-    Diagnostic error =
-        brokenScene(path, "that took longer than " +
-                              std::to_string(static_cast<long long>(limits.time_s)) + " s");
+    Diagnostic error = brokenScene(path, "that took longer than " +
+                                             std::to_string(static_cast<long long>(limits.cpu_s)) +
+                                             " s of the processor's time");
     error.help = "the file is damaged or very large; allow more time with --import-time SECONDS";
     return error;
 }
 
 Result<Scene> importApart(const std::string& path, const ImportOptions& options)
 {
-    const ChildLimits limits = limitsFor(path, options);
+    std::error_code error;
+    const ChildLimits limits = readerLimits(std::filesystem::file_size(path, error), options);
     Answer answer;
     const ChildEnd end = runInChild(
         limits,
         [&](Sender& sender) {
-            Answer read = answerOf(path, options, limits);
+            Answer read = answerOf(path, options);
             transfer(sender, read);
         },
         [&](Receiver& receiver) { transfer(receiver, answer); });
     if (end != ChildEnd::done) return unfinished(end, path, limits);
     if (!answer.ok) return answer.diagnostics;
+    if (!isSound(answer.scene)) return brokenScene(path, "its reader mixed it up");
     return {std::move(answer.scene), std::move(answer.diagnostics)};
 }
 
