@@ -50,7 +50,7 @@ Status checkLimits(const Node& document, const Limits& limits)
                           "the config has " + std::to_string(entries->members.size()) + " " +
                               section + ", and at most " + std::to_string(count) + " may be",
                           std::string("leave some out; the limit is Limits::") + section,
-                          entries->place, memberPointer("", section)});
+                          table::lastPlace(*entries), memberPointer("", section)});
     }
     return errors;
 }
