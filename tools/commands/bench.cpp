@@ -72,7 +72,7 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
     measure.cache_folder = command.cache.path();
     measure.out_folder = command.run.out;
     measure.interrupted = interrupted;
-    measure.tracing = [&progress](double done) { progress.update(done); };
+    measure.tracing = [&progress](double done) { progress.update(done, ": tracing ground truth"); };
     BenchMeter meter(device, plan, sources, measure);
     const MeasureJob job =
         benchJob(plan, name, std::move(file->done),

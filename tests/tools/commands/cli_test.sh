@@ -125,6 +125,8 @@ expect 0 '"another"' schema --effects checkout
 # --- reference and compare ---
 expect 0 'wrote' reference --scene corner --size 32x24 --radius 0.5 --rays 16 --out ground_truth.pfm
 expect 1 'CV4001' reference --scene corner --rays 0 --out never.pfm
+timeout 20 "$crevice" reference --scene corner --size 64x64 --rays 262144 --out never.pfm >stdout.txt 2>stderr.txt || true
+check "long work says how far it is, on no terminal too" grep -qE '^tracing \.\.\. [0-9]+ %$' stderr.txt
 expect 4 'CV7007' reference --scene corner --out nowhere/ground_truth.pfm
 expect 0 'rmse +0\.0+$' compare ground_truth.pfm ground_truth.pfm --max-rmse 0 --max-abs 0
 expect 0 'wrote' reference --scene corner --size 32x24 --radius 5 --rays 16 --out far.pfm

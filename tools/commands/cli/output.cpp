@@ -2,6 +2,8 @@
 // Diagnostics, exit codes and progress of the crevice command.
 #include "tools/commands/cli/output.h"
 
+#include "tools/commands/cli/long_run.h"
+
 #include "core/base/text.h"
 
 #include <fcntl.h>
@@ -132,18 +134,20 @@ Progress::~Progress() { wipe(); }
 void Progress::begin(std::string what)
 {
     what_ = printableLine(what);
-    percent_ = 0;
+    percent_ = -1;
+    next_s_ = std::max(next_s_, clockSeconds() + 2);
     wipe();
     if (terminal_) std::fprintf(stderr, "%s ...", what_.c_str());
 }
 
-void Progress::update(double done)
+void Progress::update(double done, const char* part)
 {
     const int percent = static_cast<int>(done * 100.0);
-    if (!terminal_ || percent == percent_) return;
+    if (percent == percent_ || (!terminal_ && clockSeconds() < next_s_)) return;
     percent_ = percent;
+    next_s_ = clockSeconds() + 10;
     wipe();
-    std::fprintf(stderr, "%s ... %d %%", what_.c_str(), percent);
+    std::fprintf(stderr, "%s%s ... %d %%%s", what_.c_str(), part, percent, terminal_ ? "" : "\n");
 }
 
 void Progress::wipe()

@@ -18,7 +18,7 @@ enum ExitCode {
     kExitMachine = 3,   ///< The machine lacks something: no context, no float target, no memory.
     kExitOutput = 4,    ///< A result cannot be written.
     /// `compare`, `compare-bench`, `cost`: over a limit; `doctor`: a pass is wrong; `stress`: a
-    /// case fails.
+    /// step is worse than known.
     kExitDiffers = 5,
     kExitInterrupted = 130,  ///< `bench`: stopped by SIGINT or SIGTERM; can go on.
 };
@@ -51,8 +51,8 @@ int finishOutput(int exit_code);
 /// for an empty list. Returns `exitCodeOf`.
 int report(const Diagnostics& diagnostics, bool json);
 
-/// One line on a terminal that says what long work is at; silent where stderr is no terminal. The
-/// destructor wipes the line.
+/// One line on a terminal that says what long work is at; the destructor wipes it. Where stderr is
+/// no terminal, a line of its own once work with a percentage has taken two seconds, and every ten.
 class Progress {
 public:
     Progress();
@@ -63,8 +63,9 @@ public:
     /// Names what comes next: "drawing".
     void begin(std::string what);
 
-    /// How far it is, [0, 1]. Cheap to call often: prints only when the whole percentage changes.
-    void update(double done);
+    /// How far it is, [0, 1], with `part` in what was begun. Cheap to call often: prints only when
+    /// the whole percentage changes.
+    void update(double done, const char* part = "");
 
     /// Wipes the line, so that something else can be printed.
     void wipe();
@@ -73,6 +74,7 @@ private:
     std::string what_;
     int percent_ = 0;
     bool terminal_;
+    double next_s_ = 0;  ///< When there may be another line, by clockSeconds.
 };
 
 }  // namespace crevice
