@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Plants single faults in shaders, one at a time, and demands that `crevice stress --quick` finds them: a case fails that
-# does not without the fault; and that more of them differ from the run without a fault (`--against`). shaders.txt has
+# does not without the fault; and that more of them are worse than the run without a fault (`--against`). shaders.txt has
 # the faults. The cases are the eight in which each fault that any finds fails; all with CREVICE_NIGHTLY set.
 #   shaders.sh CREVICE CHECKOUT [FAULT]    FAULT: only those whose name contains it
 set -euo pipefail
@@ -24,7 +24,7 @@ fi
 failing() {
     local against=() size=128x72 cases=()
     [[ -n ${CREVICE_NIGHTLY:-} ]] || cases=(--case units --case plane_near_far --case near_far --case plane_fov
-        --case plane_grazing --case mirrored --case light_taken --case wall_walk)
+        --case plane_grazing --case mirrored --case ambient_alone --case light_behind --case wall_walk)
     [[ ! -e $work/$1.before ]] || against=(--against "$work/$1.before")
     if [[ $1 == *_temporal ]]; then  # faults of the history alone, which other cases show no better
         size=256x144                 # below that `history` fails by noise alone
@@ -53,7 +53,7 @@ try() {
     new=$(failing "$2" "$tree" | while read -r case why; do
         [[ $(<"$work/$2.ordinary") == *" $case "* && $why != *"' writes "* ]] || echo "$case: $why"
     done)
-    grep -oE '^[0-9]+ steps differ' "$tree/stdout" >"$tree.differ" || true
+    grep -oE '^[0-9]+ steps are worse' "$tree/stdout" >"$tree.differ" || true
     rm -rf -- "${tree:?}"
     if [[ -z $new ]]; then
         echo "not found: $2, $6; $(<"$tree.differ")" >"$tree.found"
@@ -84,6 +84,6 @@ cat "$work"/*.found
 found=$(cat "$work"/*.found | grep -c '^found') || true
 named=$(cat "$work"/*.found | grep -c '^found, pass named') || true
 against=$(cat "$work"/*.differ | grep -c '^[1-9]') || true
-echo "$faults faults, $found found, $named with the pass named; $against differ from the run before"
+echo "$faults faults, $found found, $named with the pass named; $against worse than the run before"
 if grep -q '^FAILED' "$work"/*.found; then exit 1; fi
 [[ -n $only ]] || ((found >= least && named >= least_named && against >= least_against))

@@ -4,6 +4,7 @@
 #include "tools/commands/commands.h"
 #include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/stress/breakdown.h"
+#include "tools/measure/stress/known.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/options.h"
@@ -14,10 +15,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 namespace crevice {
 namespace {
+
+constexpr const char* kKnownSize = "256x144";  // of docs/stress/known.jsonl
 
 struct StressCommand {
     StressOptions stress;
@@ -25,7 +29,7 @@ struct StressCommand {
     CacheOptions cache;
     std::string backend;
     std::string precision;
-    std::string size = "256x144";
+    std::string size = kKnownSize;
     std::string out = "stress";  ///< A folder.
     std::string against;         ///< The folder of another run.
     bool list = false;
@@ -52,7 +56,7 @@ int listCases(const std::vector<StressTask>& tasks)
 }
 
 struct Totals {
-    int series = 0, failing = 0, failures = 0, invalid = 0, beyond = 0, refused = 0;
+    int series = 0, failing = 0, failures = 0;
 };
 
 Totals totalsOf(const std::vector<StressSeries>& all)
@@ -63,9 +67,6 @@ Totals totalsOf(const std::vector<StressSeries>& all)
         totals.series += !found.absent;
         totals.failing += found.failures > 0;
         totals.failures += found.failures;
-        totals.invalid += !found.invalid.empty();
-        totals.beyond += !found.beyond.empty();
-        totals.refused += found.refused;
     }
     return totals;
 }
@@ -96,85 +97,69 @@ void printTable(const std::vector<StressSeries>& all)
         print("  %-34s %s\n", series.stress->name.c_str(), describe(*series.stress, found).c_str());
     }
     const Totals totals = totalsOf(all);
-    print(
-        "%d cases, %d of them fail in %d steps (%d are void), %d go beyond the format, %d steps "
-        "refused\n",
-        totals.series, totals.failing, totals.failures, totals.invalid, totals.beyond,
-        totals.refused);
+    print("%d cases, %d of them fail in %d steps\n", totals.series, totals.failing,
+          totals.failures);
 }
 
-nlohmann::json pointsJson(const std::vector<StressSeries>& all)
+/// Whose known steps each config is compared with, by its name in records.
+std::map<std::string, KnownConfig> knownConfigs(const StressCommand& command,
+                                                const std::vector<StressTask>& tasks,
+                                                const SourceSet& sources)
 {
-    nlohmann::json points = nlohmann::json::array();
-    for (const BreakdownPoint& point : breakdownPoints(all))
-        points.push_back({{"config", point.config},
-                          {"case", point.stress->name},
-                          {"effect", point.effect},
-                          {"condition", point.condition},
-                          {"holds_at", point.held},
-                          {"breaks_at", point.broke},
-                          {"text", sentenceOf(point)}});
-    return points;
-}
-
-nlohmann::json casesJson(const std::vector<StressSeries>& all)
-{
-    nlohmann::json cases = nlohmann::json::array();
-    for (const StressSeries& series : all) {
-        const Breakdown found = findBreakdown(*series.stress, series.steps);
-        const auto label = [&](int step) {
-            return step < 0 ? nlohmann::json() : nlohmann::json(series.stress->steps[step].label);
-        };
-        cases.push_back({{"config", series.config},
-                         {"case", series.stress->name},
-                         {"holds_from", label(found.down.holds_to)},
-                         {"holds_to", label(found.up.holds_to)},
-                         {"breaks_below", label(found.down.breaks_at)},
-                         {"breaks_above", label(found.up.breaks_at)},
-                         {"void", found.invalid},
-                         {"beyond", found.beyond},
-                         {"failures", found.failures},
-                         {"refused", found.refused},
-                         {"text", describe(*series.stress, found)}});
+    std::map<std::string, KnownConfig> all;
+    for (const StressTask& task : tasks) {
+        const auto [place, is_new] = all.try_emplace(nameOf(task.config));
+        if (!is_new) continue;
+        place->second.name = place->first;
+        if (!command.against.empty()) continue;
+        place->second.name = shippedNameOf(task.config, sources);
+        place->second.same = place->second.name == place->first && task.config.overrides.empty() &&
+                             command.size == kKnownSize;
     }
-    return cases;
-}
-
-/// The records of the run to compare with; none without --against.
-Result<std::vector<StressRecord>> recordsBefore(const StressCommand& command)
-{
-    if (command.against.empty()) return std::vector<StressRecord>();
-    return readStressRecords(command.against + "/stress.jsonl");
+    return all;
 }
 
 void printJson(const std::vector<StressSeries>& all, const std::string& device,
-               const std::vector<std::string>& differences)
+               const std::vector<std::string>& worse)
 {
+    std::vector<std::string> points;
+    for (const BreakdownPoint& point : breakdownPoints(all)) points.push_back(sentenceOf(point));
+    nlohmann::json cases = nlohmann::json::array();
+    for (const StressSeries& series : all) {
+        const Breakdown found = findBreakdown(*series.stress, series.steps);
+        cases.push_back({{"config", series.config},
+                         {"case", series.stress->name},
+                         {"failures", found.failures},
+                         {"text", describe(*series.stress, found)}});
+    }
     const Totals totals = totalsOf(all);
-    const nlohmann::json json = {{"device", device},          {"breakdown_points", pointsJson(all)},
-                                 {"cases", casesJson(all)},   {"series", totals.series},
-                                 {"failing", totals.failing}, {"failures", totals.failures},
-                                 {"void", totals.invalid},    {"beyond", totals.beyond},
-                                 {"refused", totals.refused}, {"differs", differences}};
-    printAsJson(json);
+    printAsJson({{"device", device},
+                 {"breakdown_points", points},
+                 {"cases", cases},
+                 {"series", totals.series},
+                 {"failing", totals.failing},
+                 {"failures", totals.failures},
+                 {"worse", worse}});
 }
 
 /// Returns how the command ends.
-int showAll(const StressCommand& command, const std::vector<StressRecord>& before,
+int showAll(const StressCommand& command, const KnownSteps& known,
+            const std::map<std::string, KnownConfig>& configs,
             const std::vector<StressRecord>& records, const std::string& device)
 {
     const std::vector<StressSeries> all = seriesOf(records);
-    const std::vector<std::string> differences = differencesSince(seriesOf(before), all);
-    if (command.json)
-        printJson(all, device, differences);
-    else
+    std::vector<std::string> worse;
+    for (const StressSeries& series : all)
+        for (std::string& each : worseThan(known, configs.at(series.config), series))
+            worse.push_back(std::move(each));
+    if (command.json) {
+        printJson(all, device, worse);
+    } else {
         printTable(all);
-    if (!command.json && !command.against.empty()) {
-        for (const std::string& each : differences) print("  %s\n", each.c_str());
-        print("%zu steps differ from %s\n", differences.size(), command.against.c_str());
+        for (const std::string& each : worse) print("  %s\n", each.c_str());
+        print("%zu steps are worse than known\n", worse.size());
     }
-    const bool differs = command.against.empty() ? totalsOf(all).failing > 0 : !differences.empty();
-    return differs ? kExitDiffers : kExitOk;
+    return worse.empty() ? kExitOk : kExitDiffers;
 }
 
 int stress(StressCommand command)
@@ -189,8 +174,9 @@ int stress(StressCommand command)
     if (!tasks) return report(tasks.diagnostics(), command.json);
     if (command.list) return listCases(*tasks);
 
-    const Result<std::vector<StressRecord>> before = recordsBefore(command);
-    if (!before) return report(before.diagnostics(), command.json);
+    const Result<KnownSteps> known =
+        command.against.empty() ? shippedSteps() : readKnownSteps(command.against + "/known.jsonl");
+    if (!known) return report(known.diagnostics(), command.json);
     const Result<OpenDevice> open = openDevice(command.backend, command.precision);
     if (!open) return report(open.diagnostics(), command.json);
     report(open.diagnostics(), false);
@@ -209,7 +195,7 @@ int stress(StressCommand command)
     const Result<std::vector<StressRecord>> records = runStress(*tasks, command.out, draw);
     progress.wipe();
     if (!records) return report(records.diagnostics(), command.json);
-    return showAll(command, *before, *records, device);
+    return showAll(command, *known, knownConfigs(command, *tasks, sources), *records, device);
 }
 
 }  // namespace
@@ -230,10 +216,11 @@ void addStressCommand(CLI::App& app, int& exit_code)
     command->add_flag("--quick", options->stress.quick, "Two or three steps of each case");
     command
         ->add_option("--against", options->against,
-                     "Folder of a run before: exit code 5 where a step differs from it, and not "
-                     "where cases fail")
+                     "Folder of a run before, in the place of what is known of shipped configs")
         ->type_name("FOLDER");
-    command->add_option("--out", options->out, "Folder for stress.jsonl and pictures of failures")
+    command
+        ->add_option("--out", options->out,
+                     "Folder for known.jsonl, stress.jsonl and pictures of failures")
         ->type_name("FOLDER")
         ->capture_default_str();
     addConfigOptions(*command, options->config);
@@ -243,7 +230,8 @@ void addStressCommand(CLI::App& app, int& exit_code)
     command->add_flag("--list", options->list, "Print the cases and stop");
     command->add_flag("--json", options->json, "Print the table as JSON");
     command->footer(
-        "Exit code 5 where a case fails.\n"
+        "Exit code 5 where a step fails that held in the shipped config, or is worse. A config of\n"
+        "one's own is compared with the shipped one that it extends.\n"
         "Examples:\n"
         "  crevice stress gtao mobile --case plane_near_far --case offset\n"
         "  crevice stress my.json --quick --out mine");

@@ -132,27 +132,6 @@ void addPoints(const StressSeries& series, Points& points)
     }
 }
 
-/// "mean 0.93, was 0.91" where a figure moved; empty where not. Figures below 0 are not known.
-std::string movedBy(const char* name, double before, double now)
-{
-    if (before < 0 || now < 0 || std::abs(now - before) <= kSameChange) return "";
-    return std::string(name) + " " + significant(now, 4) + ", was " + significant(before, 4);
-}
-
-std::string differenceOf(const StressSeries& before, const StressSeries& now, std::size_t step)
-{
-    const Verdict is = judge(*now.stress, now.steps, step);
-    if (judge(*before.stress, before.steps, step).outcome != is.outcome)
-        return wordOf(is.outcome) + (is.why.empty() ? "" : ": " + is.reason());
-    const StressRecord &old = *before.steps[step], &record = *now.steps[step];
-    std::string moved = movedBy("mean", old.mean, record.mean);
-    if (moved.empty()) moved = movedBy("rmse", old.rmse, record.rmse);
-    if (moved.empty()) moved = movedBy("change", old.change, record.change);
-    if (!moved.empty() && !record.departing_pass.empty())
-        moved += ", first in pass '" + record.departing_pass + "'";
-    return moved;
-}
-
 }  // namespace
 
 std::vector<BreakdownPoint> breakdownPoints(const std::vector<StressSeries>& all)
@@ -167,26 +146,6 @@ std::string sentenceOf(const BreakdownPoint& point)
     const std::string condition = point.condition.empty() ? "" : " " + point.condition;
     const std::string at = point.broke.empty() ? "" : "at " + point.broke + ", ";
     return "AO of `" + point.config + "` " + point.effect + condition + ": " + at + point.why + ".";
-}
-
-std::vector<std::string> differencesSince(const std::vector<StressSeries>& before,
-                                          const std::vector<StressSeries>& now)
-{
-    std::vector<std::string> differences;
-    for (const StressSeries& series : now) {
-        const auto old =
-            std::find_if(before.begin(), before.end(), [&series](const StressSeries& each) {
-                return each.stress == series.stress && each.config == series.config;
-            });
-        for (std::size_t step = 0; old != before.end() && step < series.steps.size(); ++step) {
-            if (!series.steps[step] || !old->steps[step]) continue;
-            const std::string what = differenceOf(*old, series, step);
-            if (!what.empty())
-                differences.push_back(series.config + ", " + series.stress->name + ", " +
-                                      series.stress->steps[step].label + ": " + what);
-        }
-    }
-    return differences;
 }
 
 }  // namespace crevice

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Breakdown points as sentences, and what an edit does to them.
+// Breakdown points as sentences.
 #pragma once
 
 #include "tools/measure/stress/run.h"
@@ -28,11 +28,5 @@ std::vector<BreakdownPoint> breakdownPoints(const std::vector<StressSeries>& all
 /// "AO of `gtao` is lost where the radius is taller than 0.7 screens: at 1.4, 3 % of the ground
 /// truth's occlusion."
 std::string sentenceOf(const BreakdownPoint& point);
-
-/// Steps of `now` that have another outcome than in `before`, or of which the mean, the error or
-/// the change moved by more than what must be the same may (kSameChange): "gtao, off_centre, 64:
-/// breaks: mean change 0.003". Steps that `before` lacks are left out.
-std::vector<std::string> differencesSince(const std::vector<StressSeries>& before,
-                                          const std::vector<StressSeries>& now);
 
 }  // namespace crevice

@@ -34,6 +34,7 @@ enum class Expectation {
     opens,
     darkens,  ///< Each picture as dark as the one before.
     settles,  ///< The next frame of the same is the same picture.
+    dims,     ///< The ordinary step's colour, as linear light, times the occlusion.
 };
 
 /// A frame before the one that counts.
@@ -51,7 +52,7 @@ struct StressShot {
     Camera camera = {};
     Extent extent = {};
     double radius = 0.5;  ///< Scene units; what the config's param is set to.
-    /// Further params, "intensity=0"; a config without one of them is left out.
+    /// Further params or features, "intensity=0"; a config without one of them is left out.
     std::vector<std::string> settings = {};
     int samples = 0;           ///< Depth taps a pixel; 0: the config's own.
     bool keep_no_ops = false;  ///< No pass is left out because of a param's value.
@@ -121,10 +122,10 @@ struct StressCase {
     std::vector<StressStep> steps;
     std::size_t ordinary = 0;  ///< Into `steps`.
     Expectation expectation = Expectation::sound;
-    StressShot (*shot)(double value, Extent size) = nullptr;
+    std::function<StressShot(double value, Extent size)> shot = nullptr;
     StressCondition up = {};    ///< Breaking towards the last step; of kinds, at any.
     StressCondition down = {};  ///< Towards the first; empty where that is the ordinary one.
-    /// Of `same`: mean change. Of `opens`, `darkens`: what noise may do.
+    /// Of `same`, `dims`: mean change. Of `opens`, `darkens`: what noise may do.
     double limit = kSameChange;
 };
 

@@ -4,6 +4,7 @@
 
 #include "tools/measure/stress/limits.h"
 #include "tools/render/image/image_metrics.h"
+#include "tools/render/image/srgb.h"
 #include "tools/render/view_diagnosis.h"
 
 #include <glm/common.hpp>
@@ -166,6 +167,21 @@ void describeError(const Image& ao, const Image& ground_truth, StressRecord& rec
     record.rmse_white = white->rmse;
     record.exact = white->bias;
     record.occlusion = white->bias - error->bias;
+    for (std::size_t i = 0; i < ao.pixels.size(); i += ao.channels)
+        if (std::isnan(ground_truth.pixels[i / ao.channels]) && ao.pixels[i] < record.background)
+            record.background = ao.pixels[i];
+}
+
+double errorOfLight(const Image& without, const Image& color, const Image& ao)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < color.pixels.size(); ++i) {
+        const std::size_t channel = i % color.channels, pixel = i / color.channels * ao.channels;
+        if (channel < 3)
+            sum += std::abs(linearFromSrgb(color.pixels[i]) -
+                            linearFromSrgb(without.pixels[i]) * ao.pixels[pixel]);
+    }
+    return sum / static_cast<double>(color.pixels.size());
 }
 
 double shareChanged(const Image& before, const Image& after, double limit)

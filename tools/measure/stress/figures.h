@@ -26,10 +26,13 @@ struct PictureChange {
 };
 PictureChange changeBetween(const Image& ordinary, const Image& image, const StressShot& shot);
 
+/// Mean distance of a colour, as linear light, from that without occlusion times the occlusion.
+double errorOfLight(const Image& without, const Image& color, const Image& ao);
+
 /// Share of the pixels that differ by more than `limit`.
 double shareChanged(const Image& before, const Image& after, double limit);
 
-/// Error and occlusion against the ground truth, over the pixels that it has.
+/// Error, occlusion and background against the ground truth, over the pixels that it has.
 void describeError(const Image& ao, const Image& ground_truth, StressRecord& record);
 
 /// Of the shot's radius, at what is seen in the middle.

@@ -20,6 +20,10 @@ constexpr double kSameChange = 0.002;
 /// Largest change of one pixel that must be the same: one step of 8 bits, 1/255.
 constexpr double kSamePixel = 0.004;
 
+/// Mean distance of ambient light, in 32-bit floats, from what it must be: half a step of the half
+/// floats that phones compute colours in.
+constexpr double kSameLight = 0.00025;
+
 // --- what must not be lost ---
 
 /// Occlusion of the ordinary picture over that of the ground truth. A picture of half the occlusion

@@ -10,21 +10,11 @@ namespace crevice {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressRecord, config, case_name, step, device, version, refusal,
                                    absent, bad_target, bad_pass, bad_pixels, out_of_range, bad_x,
-                                   bad_y, bad_value, mean, least, most, stored, step_share,
-                                   resolved, judged, judged_mean, judged_least, judged_below,
-                                   change, exact, occlusion, rmse, rmse_white, departing_pass,
-                                   radius_px, height_px, picture)
+                                   bad_y, bad_value, background, mean, least, most, stored,
+                                   step_share, resolved, judged, judged_mean, judged_least,
+                                   judged_below, change, exact, occlusion, rmse, rmse_white,
+                                   departing_pass, radius_px, height_px, picture)
 
 std::string toJsonLine(const StressRecord& record) { return jsonLine(record); }
-
-Result<std::vector<StressRecord>> readStressRecords(const std::string& path)
-{
-    std::vector<StressRecord> records;
-    Diagnostics diagnostics =
-        readLines(path, {"step of a stress case", "crevice stress"},
-                  [&](nlohmann::json&& json) { records.push_back(json.get<StressRecord>()); });
-    if (hasErrors(diagnostics)) return diagnostics;
-    return {std::move(records), std::move(diagnostics)};
-}
 
 }  // namespace crevice

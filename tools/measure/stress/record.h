@@ -29,6 +29,7 @@ struct StressRecord {
     long long out_of_range = 0;  ///< Past what the format holds; of occlusion outside [0, 1].
     int bad_x = 0, bad_y = 0;    ///< The uppermost, from the upper left.
     double bad_value = 0;        ///< There, where it is finite.
+    double background = 1;       ///< Least, where the ground truth has no surface.
     double mean = 0;             ///< Of the occlusion's finite pixels, as are the next two.
     double least = 0;
     double most = 0;
@@ -62,9 +63,6 @@ struct StressRecord {
 
 /// One line, without the line feed.
 std::string toJsonLine(const StressRecord& record);
-
-/// The records of a file. Errors: CV7009.
-Result<std::vector<StressRecord>> readStressRecords(const std::string& path);
 
 enum class Outcome {
     holds,

@@ -2,6 +2,7 @@
 // Planning the steps of stress cases, and drawing them case by case.
 #include "tools/measure/stress/run.h"
 
+#include "tools/measure/stress/known.h"
 #include "tools/render/image/image_file.h"
 
 #include <crevice/config.h>
@@ -120,20 +121,23 @@ Result<std::vector<StressRecord>> runStress(
             records.push_back(std::move(each.record));
         }
     }
-    if (const Status written = writeFile(folder + "/stress.jsonl", lines); !written)
-        return written.diagnostics();
+    Status written = writeFile(folder + "/stress.jsonl", lines);
+    if (written)
+        written = writeFile(folder + "/known.jsonl", toLines(standingsOf(seriesOf(records))));
+    if (!written) return written.diagnostics();
     return records;
 }
 
-std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records)
+std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records,
+                                   const std::vector<StressCase>& cases)
 {
     std::vector<StressSeries> all;
     std::map<std::pair<std::string, std::string>, std::size_t> places;
     for (const StressRecord& record : records) {
-        const auto stress =
-            std::find_if(stressCases().begin(), stressCases().end(),
-                         [&](const StressCase& each) { return each.name == record.case_name; });
-        if (stress == stressCases().end() || record.step < 0 ||
+        const auto stress = std::find_if(cases.begin(), cases.end(), [&](const StressCase& each) {
+            return each.name == record.case_name;
+        });
+        if (stress == cases.end() || record.step < 0 ||
             record.step >= static_cast<int>(stress->steps.size()))
             continue;
         const auto [place, is_new] =

@@ -27,8 +27,8 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
 /// "gtao, near_far, 0.01:1e4".
 std::string stepTitle(const StressTask& task);
 
-/// Draws the steps and writes their records to stress.jsonl in the folder, and pictures of those
-/// that fail. Errors: CV7007.
+/// Draws the steps and writes their records to stress.jsonl in the folder, how they stand to
+/// known.jsonl, and pictures of those that fail. Errors: CV7007.
 Result<std::vector<StressRecord>> runStress(
     const std::vector<StressTask>& tasks, const std::string& folder,
     const std::function<StressDrawing(const StressTask&)>& draw);
@@ -43,8 +43,9 @@ struct StressSeries {
 /// Where the ground truth's picture lies, beside that of a failure.
 std::string truthPictureOf(const StressRecord& record);
 
-/// In the order in which they come. The records must outlive them; those of unknown cases are left
-/// out.
-std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records);
+/// In the order in which they come. The records and cases must outlive them; records of other cases
+/// are left out.
+std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records,
+                                   const std::vector<StressCase>& cases = stressCases());
 
 }  // namespace crevice

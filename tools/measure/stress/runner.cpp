@@ -101,7 +101,7 @@ struct StressRunner::Ready {
 struct StressRunner::Drawn {
     std::string absent;
     Image ao;
-    Image next;  ///< The frame after that, of what must settle.
+    Image next;  ///< The frame after that, of what must settle; the occlusion that dims a colour.
     std::vector<PassPicture> passes;
     Format stored = Format::none;
     TargetHealth bad;  ///< The first target that is not finite or out of range, if any.
@@ -141,8 +141,9 @@ Result<StressRunner::Ready> StressRunner::prepare(const StressTask& task, const 
     if (findNamed(base->params, "radius"))
         config.overrides.push_back("radius=" + significant(shot.radius, 9));
     for (const std::string& setting : shot.settings) {
-        if (!findNamed(base->params, nameIn(setting)))
-            ready.absent = "no param '" + nameIn(setting) + "'";
+        if (!findNamed(base->params, nameIn(setting)) &&
+            !findNamed(base->features, nameIn(setting)))
+            ready.absent = "no '" + nameIn(setting) + "'";
         config.overrides.push_back(setting);
     }
     const std::vector<std::string> taps =
@@ -205,10 +206,10 @@ Status StressRunner::look(const Plan& plan, const std::vector<WatchedTarget>& wa
     return {};
 }
 
-/// What the plain renderer drew last.
-Status StressRunner::show(const StressShot& shot, Image& picture)
+/// What the stage's renderer drew last.
+Status StressRunner::show(const Stage& stage, const std::string& output, Image& picture)
 {
-    Result<Image> shown = readOutput(*poison_, *plain_.renderer, shot.output);
+    Result<Image> shown = readOutput(stage.device, *stage.renderer, output);
     if (!shown) return shown.diagnostics();
     picture = std::move(*shown);
     return {};
@@ -217,6 +218,7 @@ Status StressRunner::show(const StressShot& shot, Image& picture)
 Result<StressRunner::Drawn> StressRunner::draw(const StressTask& task, const StressShot& shot)
 {
     const bool settles = task.stress->expectation == Expectation::settles;
+    const bool dims = task.stress->expectation == Expectation::dims;
     Result<Ready> ready = prepare(task, shot);
     if (!ready) return ready.diagnostics();
     Drawn drawn;
@@ -256,10 +258,13 @@ Result<StressRunner::Drawn> StressRunner::draw(const StressTask& task, const Str
         if (const Status done = render(*stage, *ready, *host, frames, owner); !done)
             return done.diagnostics();
     if (const Status done = look(*plan, watched, drawn); !done) return done.diagnostics();
-    if (const Status done = show(shot, drawn.ao); !done) return done.diagnostics();
+    if (const Status done = show(dims ? wide_ : plain_, shot.output, drawn.ao); !done)
+        return done.diagnostics();
+    if (dims)
+        if (const Status done = show(wide_, "ao", drawn.next); !done) return done.diagnostics();
     if (!settles) return drawn;
     if (const Status done = plain_.renderer->render(*hosted); !done) return done.diagnostics();
-    if (const Status done = show(shot, drawn.next); !done) return done.diagnostics();
+    if (const Status done = show(plain_, shot.output, drawn.next); !done) return done.diagnostics();
     return drawn;
 }
 
@@ -345,8 +350,10 @@ StressDrawing StressRunner::measure(const StressTask& task, Extent size)
     describeSurface(done.ao, shot, drawn->stored, record);
     compareToTruth(task, shot, done);
     compare(task, size, shot, done);
-    if (!drawn->next.pixels.empty())
+    if (!drawn->next.pixels.empty() && task.stress->expectation == Expectation::settles)
         record.change = shareChanged(done.ao, drawn->next, kRestlessPixel);
+    else if (const Drawn* without = drawn->next.pixels.empty() ? nullptr : ordinaryOf(task, size))
+        record.change = errorOfLight(without->ao, done.ao, drawn->next);
     const std::vector<PassPicture> none;
     record.departing_pass = departingPass(*task.stress, shot, drawn->passes,
                                           ordinary_ ? ordinary_->passes : none, record);

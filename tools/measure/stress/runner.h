@@ -59,7 +59,7 @@ private:
     Status render(Stage& stage, const Ready& ready, HostTextures& host,
                   const std::vector<Frame>& frames, const std::string& owner);
     Status look(const Plan& plan, const std::vector<WatchedTarget>& watched, Drawn& drawn);
-    Status show(const StressShot& shot, Image& picture);
+    static Status show(const Stage& stage, const std::string& output, Image& picture);
     Result<Drawn> draw(const StressTask& task, const StressShot& shot);
     const Drawn* ordinaryOf(const StressTask& task, Extent size);
     void compare(const StressTask& task, Extent size, const StressShot& shot, StressDrawing& done);

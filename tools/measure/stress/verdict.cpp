@@ -62,6 +62,9 @@ Verdict judgeSoundness(const StressRecord& record)
         return breaks("has values out of range",
                       std::to_string(record.out_of_range) + " pixels out of range, " +
                           number(record.least) + " to " + number(record.most));
+    if (record.background < 1 - kSamePixel)
+        return breaks("darkens the background",
+                      number(record.background) + " where no surface is seen");
     return {};
 }
 
@@ -164,6 +167,11 @@ Verdict judgeExpected(const StressCase& stress, const std::vector<const StressRe
         return resolves ? judgeOpen(record)
                         : Verdict{Outcome::beyond, percent(1 - record.mean) + " false occlusion"};
     case Expectation::same: return judgeSame(stress, record);
+    case Expectation::dims:
+        if (record.change <= stress.limit) return {};
+        return breaks("does not dim the ambient light as it should",
+                      "mean change " + number(record.change) +
+                          " from the light without occlusion times the occlusion");
     case Expectation::opens:
     case Expectation::darkens: return judgeSlope(stress, series, step);
     case Expectation::settles:

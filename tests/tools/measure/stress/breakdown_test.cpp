@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Breakdown points as sentences, and two runs compared: no GL.
+// Breakdown points as sentences, and what is worse than known: no GL.
 #include "tools/measure/stress/breakdown.h"
 #include "tests/tools/measure/stress/made_records.h"
+#include "tools/measure/stress/known.h"
 
 #include "tests/support/catch.h"
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
 
 #include <algorithm>
 
@@ -97,26 +100,94 @@ TEST_CASE("A config whose ordinary pictures are wrong says so once")
                                        "has 3 % of the ground truth's occlusion."});
 }
 
-TEST_CASE("A run differs from the one before where an outcome or a figure is another")
+namespace {
+
+Sentences worseIn(const Run& now, const Run& before, const KnownConfig& config = {"gtao"})
+{
+    Sentences all;
+    for (const StressSeries& series : seriesOf(now.records))
+        for (const std::string& each :
+             worseThan(standingsOf(seriesOf(before.records)), config, series))
+            all.push_back(each);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("A step is worse where it fails and did not before, or where its error grew")
 {
     Run old;
     old.add("mirrored");
     Run edited = old;
-    const auto differences = [&] {
-        return differencesSince(seriesOf(old.records), seriesOf(edited.records));
-    };
-    edited.records[1].mean -= 0.0019;
-    CHECK(differences().empty());
-    edited.records[1].mean -= 0.0002;
-    CHECK(differences() == Sentences{"gtao, mirrored, by a matrix: mean 0.9979, was 1"});
-    edited.records[1] = old.records[1];
-    old.records[2].change = edited.records[2].change = 0.003;  // a failure that hides nothing
-    CHECK(differences().empty());
+    edited.records[1].change = 0.0019;
+    CHECK(worseIn(edited, old).empty());
+    old.records[2].change = edited.records[2].change = 0.003;  // a known failure
+    CHECK(worseIn(edited, old).empty());
     edited.records[2].change = 0.006;
     edited.records[2].departing_pass = "filter_x";
-    CHECK(differences() == Sentences{"gtao, mirrored, in the vertices: change 0.006, was 0.003, "
-                                     "first in pass 'filter_x'"});
+    CHECK(worseIn(edited, old) ==
+          Sentences{"gtao, mirrored, in the vertices: error 0.006, was 0.003, first in pass "
+                    "'filter_x'"});
     old.records[2].change = 0;
-    CHECK(differences() == Sentences{"gtao, mirrored, in the vertices: breaks: mean change 0.006, "
-                                     "first in pass 'filter_x'"});
+    CHECK(worseIn(edited, old) == Sentences{"gtao, mirrored, in the vertices: breaks: mean change "
+                                            "0.006, first in pass 'filter_x'"});
+    edited.records[2].change = 0;
+    edited.records[1].background = 0;
+    CHECK(worseIn(edited, old) == Sentences{"gtao, mirrored, by a matrix: breaks: 0 where no "
+                                            "surface is seen"});
+}
+
+TEST_CASE("A config has up to twice the error of the one that it extends before it is worse")
+{
+    Run old;
+    old.add("low_eye");
+    old.records[0].rmse = 0.05;
+    Run mine = old;
+    mine.records[0].rmse = 0.099;
+    CHECK(worseIn(mine, old, {"gtao", false}).empty());
+    CHECK(worseIn(mine, old).size() == 1);
+    mine.records[0].rmse = 0.101;
+    CHECK(worseIn(mine, old, {"gtao", false}) ==
+          Sentences{"gtao, low_eye, 1: error 0.101, `gtao` has 0.05"});
+    mine.records[0].rmse = 0;
+    mine.records[1].bad_pixels = 1;
+    CHECK(worseIn(mine, old, {"gtao", false}).size() == 1);
+}
+
+TEST_CASE("Known steps come back from their file as they were, and a broken line is named")
+{
+    Run run;
+    run.add("mirrored");
+    run.records[1].change = 0.125;
+    const KnownSteps known = standingsOf(seriesOf(run.records));
+    const TemporaryFolder folder("known_steps");
+    const KnownSteps read = need(readKnownSteps(folder.write("known.jsonl", toLines(known))));
+    CHECK(toLines(read) == toLines(known));
+    CHECK(read.at({"gtao", "mirrored"}).at("by a matrix").outcome == Outcome::breaks);
+    const auto broken =
+        readKnownSteps(folder.write("bad.jsonl", toLines(known) + "{\"case\": 1}\n"));
+    REQUIRE_FALSE(broken.ok());
+    CHECK(broken.diagnostics()[0].code == Code::results_broken);
+    CHECK(broken.diagnostics()[0].place.line == 2);
+}
+
+TEST_CASE(
+    "Every shipped config has known steps of every case, and a config is known by what it extends")
+{
+    for (const std::string& config : configNames(shippedSources()))
+        for (const StressCase& stress : stressCases()) {
+            INFO(config << ", " << stress.name);
+            const auto known = shippedSteps().find({config, stress.name});
+            const bool absent = stress.expectation == Expectation::settles ||
+                                stress.name == "history" || stress.name == "cut" ||
+                                !stress.shot(0, {64, 36}).geometry.empty();
+            CHECK((absent || known != shippedSteps().end()));
+        }
+    const auto nameOf = [](const char* config) {
+        return shippedNameOf({config, {}, {}, {}}, shippedSources());
+    };
+    CHECK(nameOf("gtao") == "gtao");
+    CHECK(nameOf(R"({"format": 1, "extends": ["bitmask_back"]})") == "bitmask_back");
+    CHECK(nameOf(R"({"format": 1, "extends": ["geometry/depth_normal", "ssao/gtao"]})").empty());
+    CHECK(nameOf("nothing").empty());
 }

@@ -80,8 +80,8 @@ cp -r -- "$checkout/effects" "$checkout/configs" edited
 sed -i 's/uv \* vec2(size) - 0.5;/uv * vec2(size) + 0.5;/' edited/effects/filter/shaders/upsample.frag
 samples=(stress mobile --case samples --quick --size 128x72)
 "$crevice" "${samples[@]}" --out before >stdout.txt 2>stderr.txt || true
-expect 0 '^0 steps differ from before' "${samples[@]}" --out before --against before
-expect 5 'mobile, samples, 16: rmse .*, was |[1-9] steps differ from before' "${samples[@]}" --effects edited \
+expect 0 '^0 steps are worse than known' "${samples[@]}" --out before --against before
+expect 5 'mobile, samples, 16: error .*, was |[1-9] steps are worse than known' "${samples[@]}" --effects edited \
     --out after --against before
-expect 1 "no results can be read from 'nowhere/stress.jsonl'" "${samples[@]}" --out before --against nowhere
+expect 1 "no results can be read from 'nowhere/known.jsonl'" "${samples[@]}" --out before --against nowhere
 finish

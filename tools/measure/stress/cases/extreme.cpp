@@ -155,14 +155,38 @@ StressShot planeLights(double value, Extent size)
     return shot;
 }
 
-/// 0: lit, without occlusion; 1: with it; 2: the occlusion's ambient light alone.
-StressShot lightsAdded(double kind, Extent size)
+/// Of ambient light alone, 0 without occlusion.
+StressShot ambientAlone(double kind, Extent size)
 {
     StressShot shot = sceneShot(testView(), size);
     shot.output = "color";
-    if (kind == 0) shot.settings = {"intensity=0"};
-    if (kind == 2)
-        for (SceneLight& scene_light : shot.scene.lights) scene_light.light.color = glm::vec3(0);
+    for (SceneLight& scene_light : shot.scene.lights) scene_light.light.color = glm::vec3(0);
+    shot.settings = {"multi_bounce=false", "display=lit"};
+    if (kind == 0) shot.settings.push_back("intensity=0");
+    return shot;
+}
+
+/// A light behind a plane that faces the camera: 0 none, 1 a directional one, 2 a point.
+StressShot lightBehind(double kind, Extent size)
+{
+    StressShot shot = planeShot({}, size, 4, 0);
+    shot.output = "color";
+    const int kept = static_cast<int>(kind);
+    for (int i = 0; i < 2; ++i)
+        if (i + kept != 2) shot.scene.lights[i].light.color = glm::vec3(0);
+    shot.scene.lights[0].light.position = {0, 0, -5};
+    shot.scene.lights[1].light.direction = {0, 0, 1};
+    return shot;
+}
+
+/// From so far that most of the picture is background.
+StressShot farAway(double, Extent size)
+{
+    StressView view = testView();
+    view.eye.z = 12;
+    StressShot shot = sceneShot(view, size);
+    shot.radius = 1;
+    shot.farthest = 0;  // other cases ask how strong it is
     return shot;
 }
 
@@ -216,9 +240,20 @@ std::vector<StressCase> extremeCases()
          E::sound,
          planeLights,
          {"under lights ({})"}},
-        {"light_taken", "The test scene's colour as light is taken away: it gets darker.", "",
-         kinds({"no occlusion", "occlusion", "occlusion and no lights"}), 1, E::darkens,
-         lightsAdded, lit, lit},
+        {"ambient_alone",
+         "Ambient light alone: the colour is that without occlusion, times it.",
+         "",
+         kinds({"no occlusion", "occlusion"}),
+         0,
+         E::dims,
+         ambientAlone,
+         lit,
+         {},
+         kSameLight},
+        {"light_behind", "A light behind a plane adds nothing to it and takes nothing away.", "",
+         kinds({"no light", "a directional light", "a point"}), 0, E::same, lightBehind, lit},
+        {"background", "The test scene from afar: what shows no surface is open.", "",
+         kinds({"from afar"}), 0, E::sound, farAway, with},
     };
 }
 
