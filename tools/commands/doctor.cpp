@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// crevice doctor: draws a frame in memory full of poison and names the first pass that goes wrong.
+// crevice doctor: draws a frame in memory full of poison and names the first pass that goes wrong,
+// then compares AO with ground truth, and light with what it must be.
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
+#include "tools/measure/reference/reference_cache.h"
+#include "tools/measure/stress/known.h"
 #include "tools/render/device/float_device.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/device/poison_device.h"
@@ -19,6 +22,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace crevice {
@@ -27,6 +32,7 @@ namespace {
 struct DoctorOptions {
     ConfigOptions config;
     SceneOptions scene;
+    CacheOptions cache;
     std::string backend;
     std::string precision;
     std::string program_cache;
@@ -43,6 +49,7 @@ struct Checkup {
     std::vector<TargetHealth> health;
     std::string device;
     Diagnostics warnings;  ///< Of the plan, the machine and the view.
+    Diagnostics found;     ///< What is wrong.
 };
 
 /// Draws in memory that holds the poison and reads back all that is watched.
@@ -73,8 +80,79 @@ Result<std::vector<Image>> drawIn(Device& device, const Description& description
     return images;
 }
 
+constexpr Extent kAnswerSize = {256, 144};  // for which the limits of stress cases are made
+constexpr const char* kAnswers[] = {"ambient_alone", "light_behind", "background"};
+
+/// The view as a stress case, in the size that tracing takes a second for.
+StressCase caseOf(const SceneView& view, double radius)
+{
+    StressCase own;
+    own.name = "the scene";
+    own.steps = {{0, "against ground truth"}};
+    own.expectation = Expectation::sound;
+    own.shot = [&view, radius](double, Extent size) {
+        StressShot shot;
+        shot.scene = view.scene;
+        shot.camera = {view.camera.view_from_world, clipFromView(view.camera, size, view.bounds)};
+        shot.extent = size;
+        shot.radius = radius;
+        return shot;
+    };
+    return own;
+}
+
+std::vector<StressRecord> drawAll(const std::vector<StressCase>& cases, const ConfigOptions& config,
+                                  StressRunner&& runner)
+{
+    std::vector<StressRecord> records;
+    for (const StressCase& each : cases)
+        for (int step = 0; step < static_cast<int>(each.steps.size()); ++step)
+            records.push_back(runner.measure({config, &each, step}, kAnswerSize).record);
+    return records;
+}
+
+/// Errors CV9005: where the config is worse than as it is shipped or than the shipped one that it
+/// extends, or without one than no ambient occlusion. Nothing where the plan leaves out its own.
+Diagnostics checkAnswers(Device& device, const DoctorOptions& options, const SceneView& view,
+                         const SourceSet& sources, const Description& description, const Plan& plan)
+{
+    const PlanOutput* ao = findNamed(plan.outputs, "ao");
+    const ParamDesc* radius = findNamed(description.params, "radius");
+    if (!ao || ao->constant >= 0 || !radius) return {};
+    std::vector<StressCase> cases;
+    for (const StressCase& each : stressCases())
+        if (std::count(std::begin(kAnswers), std::end(kAnswers), each.name) > 0)
+            cases.push_back(each);
+    cases.push_back(caseOf(view, radius->value[0]));
+    const ConfigOptions& config = options.config;
+    const std::string folder = options.cache.path();
+    const std::vector<StressRecord> records =
+        drawAll(cases, config, StressRunner(device, sources, folder));
+
+    KnownConfig with = {shippedNameOf(config, sources), false};
+    with.same = with.name == config.config && config.overrides.empty();
+    KnownSteps known;
+    if (!with.name.empty()) {
+        std::vector<StressRecord> before =
+            drawAll(cases, {with.name, with.same ? config.variant : "", {}, {}},
+                    StressRunner(device, shippedSources(), folder));
+        for (StressRecord& each : before) each.config = with.name;
+        known = standingsOf(seriesOf(before, cases));
+    } else {
+        with = {"no AO", true};
+        known[{with.name, cases.back().name}][cases.back().steps[0].label].error =
+            records.back().rmse < 0 ? 1 : records.back().rmse_white;
+    }
+    Diagnostics found;
+    for (const StressSeries& series : seriesOf(records, cases))
+        for (std::string& each : worseThan(known, with, series))
+            found.push_back({Code::answer_wrong, std::move(each),
+                             "drawn at 256x144 and compared with '" + with.name + "'"});
+    return found;
+}
+
 Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
-                        Description description, Progress& progress)
+                        const SourceSet& sources, Description description, Progress& progress)
 {
     const Result<OpenDevice> open =
         openDevice(options.backend, options.precision, options.program_cache);
@@ -110,6 +188,10 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
         checkup.health.back().target = watched[i].target;
         checkup.health.back().pass = watched[i].pass;
     }
+    checkup.found = diagnose(description, *plan, checkup.health);
+    progress.begin("comparing with ground truth");
+    if (!hasErrors(checkup.found))
+        append(checkup.found, checkAnswers(device, options, view, sources, description, *plan));
     if (const Result<Image> depth = drawDepth(device, frame, view.extent))
         append(checkup.warnings, checkView(description, *plan, view.scene, frame.camera,
                                            medianDistance(*depth, frame.camera), nullptr));
@@ -136,7 +218,8 @@ void printTable(const Checkup& checkup, const Diagnostics& found)
                   significant(each.maximum[i], 4).c_str());
         print("\n");
     }
-    if (found.empty()) print("every value is written, finite and in range\n");
+    if (found.empty())
+        print("every value is written, finite and in range; AO and light are as they must be\n");
 }
 
 void printJson(const Checkup& checkup, const Diagnostics& found)
@@ -171,10 +254,10 @@ int doctor(const DoctorOptions& options)
     progress.begin("loading " + options.scene.scene);
     const Result<SceneView> view = loadSceneView(options.scene);
     if (!view) return report(view.diagnostics(), options.json);
-    const Result<Checkup> checkup = checkUp(options, *view, *description, progress);
+    const Result<Checkup> checkup = checkUp(options, *view, sources, *description, progress);
     progress.wipe();
     if (!checkup) return report(checkup.diagnostics(), options.json);
-    const Diagnostics found = diagnose(*description, checkup->plan, checkup->health);
+    const Diagnostics& found = checkup->found;
     Diagnostics all = found;
     append(all, checkup->warnings);
     append(all, view.diagnostics());
@@ -201,6 +284,7 @@ void addDoctorCommand(CLI::App& app, int& exit_code)
     addBackendOption(*command, options->backend);
     addPrecisionOption(*command, options->precision);
     addProgramCacheOption(*command, options->program_cache);
+    addCacheOptions(*command, options->cache);
     command
         ->add_option("--frames", options->frames,
                      "Number of frames to draw before the targets are checked")
@@ -211,7 +295,13 @@ void addDoctorCommand(CLI::App& app, int& exit_code)
         "Draws the frame three times, twice in memory that holds other poison each time and once\n"
         "with every target in 32-bit floats, and looks at each target of each pass: what is not\n"
         "finite or out of range, what depends on the poison, what is the same everywhere.\n"
-        "Exit code 5 where a pass is wrong.\n"
+        "Then compares AO in 256x144 pixels with ray-traced ground truth: it must be no worse than "
+        "in\n"
+        "the shipped config that this is, or have no more than twice the error of the one that it\n"
+        "extends, or of none than without AO. Where there is no surface AO must be 1, ambient "
+        "light\n"
+        "must be dimmed by it exactly, and a light behind a surface must do nothing.\n"
+        "Exit code 5 where something is wrong.\n"
         "Example:\n"
         "  crevice doctor my.json --scene model.glb");
     command->callback([options, &exit_code] { exit_code = doctor(*options); });

@@ -127,6 +127,7 @@ enum class Code : int {
     target_undefined = 9002,     ///< A pass leaves pixels that depend on what memory held before.
     output_constant = 9003,      ///< An output is the same everywhere.
     target_out_of_range = 9004,  ///< A pass writes values that its target's format clamps.
+    answer_wrong = 9005,  ///< AO or light is worse than a shipped config's, or breaks its promise.
 
     // command line
     usage = 8001,  ///< Arguments that cannot be understood.

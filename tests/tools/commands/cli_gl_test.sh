@@ -163,6 +163,28 @@ expect 5 "CV9004: pass 'cross' writes [0-9]+ of 6144 pixels out of range .*: 1.7
 expect 0 'intensity is 0, so ao is 1' doctor learnopengl "${small[@]}" --set intensity=0
 expect 0 'pixels at the median depth' doctor gtao "${small[@]}" --set radius=1e-6
 expect 0 'sees no surface' doctor gtao "${small[@]}" --camera 'eye=0,1,100;at=0,1,200'
+# ... and AO and light against what they must be.
+checkout=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../../.." && pwd)
+# faulty FILE EXPRESSION: a copy of what is shipped with one fault.
+faulty() {
+    rm -rf faulty && mkdir faulty && cp -r -- "$checkout/effects" "$checkout/configs" faulty
+    sed -i "$2" "faulty/effects/$1"
+}
+faulty ssao/shaders/gtao.frag 's/^    ao = visibilityOf(.*/&\n    if (!known) ao = 0.0;/'
+expect 5 'CV9005: gtao, background, from afar: breaks: 0 where no surface is seen' doctor gtao "${small[@]}" --effects faulty
+faulty lighting/shaders/shade.glsl 's/max(dot(s.normal, direction), 0.0)/abs(dot(s.normal, direction))/'
+expect 5 'CV9005: gtao, light_behind, a directional light: breaks' doctor gtao "${small[@]}" --effects faulty
+faulty lighting/shaders/deferred.frag 's/float open = texture(visibility, uv).r;/float open = 1.0;/'
+expect 5 'CV9005: gtao, ambient_alone, occlusion: breaks' doctor gtao "${small[@]}" --effects faulty
+faulty ssao/shaders/gtao.frag 's/bool inside = far < 1.0;/bool inside = far < 4.0;/'
+expect 5 'CV9005: gtao, the scene, .*: error 0.[0-9]*, was 0' doctor gtao "${small[@]}" --effects faulty
+echo '{"format": 1, "extends": ["gtao"], "params": {"power": 8}}' >strong.json
+expect 5 'CV9005: strong.json, the scene, .*`gtao` has 0' doctor strong.json "${small[@]}"
+modules='"geometry/depth_normal", "ssao/gtao", "filter/none", "lighting/deferred"'
+echo "{\"format\": 1, \"extends\": [$modules]}" >apart.json
+expect 0 'AO and light are as they must be' doctor apart.json "${small[@]}"
+echo "{\"format\": 1, \"extends\": [$modules], \"params\": {\"power\": 64}}" >apart.json
+expect 5 'CV9005: apart.json, the scene, ' doctor apart.json "${small[@]}"
 
 printf 'void main() { nonsense; }\n' >>cross.frag
 expect 1 'cross.frag:[0-9]+.*error CV50' render cross.json "${small[@]}" --out ao=never.png
