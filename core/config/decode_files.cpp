@@ -16,15 +16,16 @@ namespace {
 struct Found {
     std::string key;  // in Description::files
     SourceRef source;
+    bool on_disk = false;  // it was looked for there
 };
 
-// What `name`, written by `writer` in the file at `from`, stands for. Only "./" and "../" leave the
-// sources, and only from a file on disk. Errors, without a place: CV1204, CV1006.
+// What `name`, written by `writer` in the file at `from`, stands for. Only '/', "./" and "../"
+// leave the sources, and only from a file on disk. Errors, without a place: CV1204, CV1006.
 Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const std::string& from,
                        const std::string& name)
 {
     const std::string key = resolvePath(from, name);
-    const bool disk = isRelative(name) && isOnDisk(from);
+    const bool disk = isOnDisk(name) && isOnDisk(from);
     const Result<SourceRef> found = disk ? openNamed(writer, key) : sources.find(key);
     if (!found) return found.diagnostics();
     if (*found && (*found)->text.size() > kMaxDocumentBytes)
@@ -33,12 +34,12 @@ Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const
                               "' has more than the 1048576 bytes (1 MiB) "
                               "that are read",
                           "is this GLSL?"};
-    return Found{key, *found};
+    return Found{key, *found, disk};
 }
 
 std::string absence(const Found& file)
 {
-    return isOnDisk(file.key) ? absenceOf(file.key) : "does not exist";
+    return file.on_disk ? absenceOf(file.key) : "does not exist";
 }
 
 // `ending` says what the file is for: ".frag", ".vert", ".glsl".

@@ -360,7 +360,7 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
     const std::string& name = entry.text;
     Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'", "",
                        entry.place, pointer};
-    if (!isRelative(name)) {
+    if (!isOnDisk(name)) {
         const std::string path = name + std::string(kSuffix);
         if (SourceRef source = sources_.find(path)) return source;
         if (SourceRef source = sources_.find(std::string(kConfigs) + path)) return source;

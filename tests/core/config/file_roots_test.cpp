@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using Names = std::vector<std::string>;
+
 constexpr const char* kSecret = "hunter2";
 
 // A folder with a config in mine/ and a secret beside it.
@@ -68,10 +70,11 @@ void checkRefused(const Diagnostic& error)
 TEST_CASE("a config extends no file outside of its folder, and does not learn whether it is there")
 {
     const Neighbours around("roots_extends");
-    for (const char* name :
-         {"../secret.env", "../missing.env", "./../secret.env", "./sub/../../secret.env"}) {
-        const Diagnostic error =
-            around.failureOf(file(R"("extends": [")" + std::string(name) + "\"]"));
+    const std::string above = around.folder.path.string();
+    for (const std::string& name :
+         Names{"../secret.env", "../missing.env", "./../secret.env", "./sub/../../secret.env",
+               above + "/secret.env", above + "/missing.env", above + "/mine/../secret.env"}) {
+        const Diagnostic error = around.failureOf(file(R"("extends": [")" + name + "\"]"));
         checkRefused(error);
         CHECK(error.place.column == 27);
         CHECK_THAT(error.message, Catch::Contains((around.folder.path / "mine").string() + "'"));
@@ -144,19 +147,46 @@ TEST_CASE("GLSL is read below the config's folder alone, whatever names it")
     fs::create_symlink("../secret.env", around.folder.path / "mine/link.frag");
     around.folder.write("mine/include.frag",
                         "#version 300 es\n#include \"./../secret.env\"\nvoid main() {}\n");
+    const std::string above = around.folder.path.string();
+    around.folder.write("mine/absolute.frag",
+                        "#version 300 es\n#include \"" + above + "/secret.env\"\nvoid main() {}\n");
     around.folder.write("mine/deep/a.glsl", "#include \"../../secret.env\"\n");
     around.folder.write("mine/deep.frag",
                         "#version 300 es\n#include \"./deep/a.glsl\"\nvoid main() {}\n");
-    for (const char* name :
-         {"./../secret.env", "../missing.env", "./link.frag", "./include.frag", "./deep.frag"}) {
+    for (const std::string& name :
+         Names{"./../secret.env", "../missing.env", "./link.frag", "./include.frag", "./deep.frag",
+               "./absolute.frag", above + "/secret.env", above + "/missing.env", above}) {
         const Diagnostics errors = shaderErrors(around, name);
         INFO(name);
         REQUIRE(errors.size() == 1);
         checkRefused(errors[0]);
     }
     const LoadRequest allowed = {{}, {}, {}, {around.folder.path.string()}};
-    for (const Diagnostic& each : shaderErrors(around, "../secret.env", allowed))
-        CHECK(each.code != Code::module_escape);
+    for (const std::string& name : {std::string("../secret.env"), above + "/secret.env"})
+        for (const Diagnostic& each : shaderErrors(around, name, allowed))
+            CHECK(each.code != Code::module_escape);
+}
+
+TEST_CASE("an absolute path below the config's folder is read, and none that a module names")
+{
+    const Neighbours around("roots_absolute");
+    const std::string mine = (around.folder.path / "mine").string();
+    around.folder.write("mine/a.frag", "#version 300 es\nvoid main() {}\n");
+    around.folder.write("mine/more.json", file(R"("x-more": 1)"));
+    for (const Diagnostic& each : shaderErrors(around, mine + "/a.frag"))
+        CHECK(each.code != Code::file_missing);
+    const std::string config =
+        around.folder.write("mine/config.json", file(R"("extends": [")" + mine + "/more.json\"]"));
+    CHECK(at(loaded(smallCatalog(), {config}), "x-more"));
+
+    MemorySources sources = smallCatalog();
+    const std::string secret = (around.folder.path / "secret.env").string();
+    sources.add("configs/sly.json", file(R"("interfaces": {"a": ")" + secret + "\"}"));
+    sources.add("configs/slier.json", file(R"("extends": [")" + secret + "\"]"));
+    const Node sly = loaded(sources, {"sly"});
+    const Result<Description> description = decode(sly, sources);
+    CHECK_THAT(toText(description.diagnostics()), Catch::Contains("which does not exist"));
+    CHECK(failure(sources, {"slier"}).code == Code::module_missing);
 }
 
 TEST_CASE("an override names files below the current folder and below the roots alone")
