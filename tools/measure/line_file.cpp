@@ -4,6 +4,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "tools/render/image/image_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -29,9 +30,7 @@ const char* const kWayOut =
 
 Diagnostic cannotRecord(const std::string& path, const std::string& reason)
 {
-    Diagnostic error{Code::cannot_write, "cannot write '" + path + "': " + reason};
-    error.help = kWayOut;
-    return error;
+    return {Code::cannot_write, "cannot write '" + path + "': " + reason, kWayOut};
 }
 
 /// Cuts off what follows the last line feed. Zero, or the errno of what failed.
@@ -44,14 +43,9 @@ int cutTornLine(int file)
 }
 
 /// Zero, or the errno of what failed.
-int writeAll(int file, std::string_view bytes)
+int writeToDisk(int file, std::string_view bytes)
 {
-    while (!bytes.empty()) {
-        const ssize_t count = write(file, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return errno;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
+    if (const int failure = writeAll(file, bytes)) return failure;
     return fdatasync(file) == 0 || errno == EINVAL ? 0 : errno;
 }
 
@@ -116,7 +110,7 @@ LineFile::LineFile(LineFile&& other) noexcept
 Status LineFile::append(const std::string& line)
 {
     const off_t before = lseek(file_, 0, SEEK_END);
-    const int failure = writeAll(file_, line + "\n");
+    const int failure = writeToDisk(file_, line + "\n");
     if (failure == 0) return {};
     // Where even this fails, the next run cuts the torn line off.
     if (ftruncate(file_, before) != 0) return cannotRecord(path_, "the disk fails");
@@ -135,10 +129,9 @@ Diagnostics readLines(const std::string& path, const LineKind& kind,
 {
     const FileBytes file = readBytes(path, kMaxResultBytes);
     if (!file) {
-        Diagnostic error{Code::results_broken,
-                         "no results can be read from '" + path + "': " + file.failure};
-        error.help = "'" + std::string(kind.command) + "' writes them: " + kind.command + " --help";
-        return {error};
+        return {{Code::results_broken,
+                 "no results can be read from '" + path + "': " + file.failure,
+                 "'" + std::string(kind.command) + "' writes them: " + kind.command + " --help"}};
     }
     Diagnostics diagnostics;
     int number = 0;

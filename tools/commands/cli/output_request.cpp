@@ -15,16 +15,12 @@ namespace {
 
 Diagnostic usageError(std::string message, std::string help)
 {
-    Diagnostic error{Code::usage, std::move(message)};
-    error.help = std::move(help);
-    return error;
+    return {Code::usage, std::move(message), std::move(help)};
 }
 
 Diagnostic unwritable(const std::string& file, const std::string& reason, std::string help)
 {
-    Diagnostic error{Code::cannot_write, "'" + file + "' cannot be written: " + reason};
-    error.help = std::move(help);
-    return error;
+    return {Code::cannot_write, "'" + file + "' cannot be written: " + reason, std::move(help)};
 }
 
 /// Where a pattern has the frame's number.
@@ -80,7 +76,8 @@ Status checkFramePattern(const std::string& file)
 
 Status checkWritable(const std::string& file)
 {
-    const fs::path folder = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : ".";
+    const fs::path target = behindLinks(file);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored))
         return unwritable(file, "there is no folder '" + folder.string() + "'",

@@ -15,8 +15,8 @@ namespace crevice {
 
 namespace {
 
-constexpr std::size_t kMaxProgramBytes = 64u
-                                         << 20;  // a driver's largest have a few hundred thousand
+// A driver's largest have a few hundred thousand.
+constexpr std::size_t kMaxProgramBytes = 64u << 20;
 
 }  // namespace
 
@@ -26,9 +26,8 @@ Result<std::unique_ptr<ProgramFolder>> ProgramFolder::open(const std::string& pa
     fs::create_directories(path, error);
     if (fs::is_directory(path, error) && access(path.c_str(), W_OK | X_OK) == 0)
         return std::unique_ptr<ProgramFolder>(new ProgramFolder(path));
-    Diagnostic failure{Code::cannot_write, "'" + path + "' is no folder that can be written"};
-    failure.help = "name another folder with --program-cache";
-    return failure;
+    return Diagnostic{Code::cannot_write, "'" + path + "' is no folder that can be written",
+                      "name another folder with --program-cache"};
 }
 
 ProgramCache ProgramFolder::cache()

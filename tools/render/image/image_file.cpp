@@ -15,6 +15,8 @@
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,9 +35,8 @@ namespace {
 
 Diagnostic cannotWrite(const std::string& path, const std::string& reason)
 {
-    Diagnostic error = {Code::cannot_write, "cannot write '" + path + "': " + reason};
-    error.help = "name a file in a folder that exists and that you may write to";
-    return error;
+    return {Code::cannot_write, "cannot write '" + path + "': " + reason,
+            "name a file in a folder that exists and that you may write to"};
 }
 
 /// Most values, over all channels, that an image may have: 16384x8192 pixels of four. A file of a
@@ -48,18 +49,10 @@ Diagnostic brokenImage(const std::string& name, const std::string& reason)
     return {Code::image_broken, "the image '" + name + "' cannot be read: " + reason};
 }
 
-// Where the bytes end up: a link is followed, so that renaming replaces the file behind it.
-std::filesystem::path resolvedTarget(const std::string& path)
-{
-    std::error_code error;
-    const auto resolved = std::filesystem::canonical(path, error);
-    return error ? std::filesystem::path(path) : resolved;
-}
-
-// A new file in the folder, or null. Names are tried until one is free: process ids come again, and
+// A new file in the folder, or -1. Names are tried until one is free: process ids come again, and
 // what was killed leaves its file behind. They are short, since the target's own may be as long as
 // names can be.
-std::FILE* openTemporary(const std::filesystem::path& folder, std::string& path)
+int openTemporary(const std::filesystem::path& folder, mode_t mode, std::string& path)
 {
     constexpr int kTries = 1000;
     static std::atomic<unsigned> count{0};
@@ -67,19 +60,22 @@ std::FILE* openTemporary(const std::filesystem::path& folder, std::string& path)
         const std::string name =
             ".crevice-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".tmp";
         path = (folder / name).string();
-        std::FILE* file = std::fopen(path.c_str(), "wbx");
-        if (file || errno != EEXIST) return file;
+        const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (file >= 0 || errno != EEXIST) return file;
     }
-    return nullptr;
+    return -1;
 }
 
-// Zero, or the errno of what failed.
-int writeWhole(std::FILE* file, std::string_view bytes)
+// The file gets the owner of the old one, as far as that is allowed, and its mode.
+void keepAccess(int file, const struct stat& old)
 {
-    int failure = 0;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) failure = errno;
-    if (std::fclose(file) != 0 && failure == 0) failure = errno;
-    return failure;
+    mode_t mode = old.st_mode & 0777;
+    struct stat now = {};
+    const bool ours =
+        fstat(file, &now) == 0 && now.st_uid == old.st_uid && now.st_gid == old.st_gid;
+    if (!ours && fchown(file, old.st_uid, old.st_gid) != 0 && fchown(file, -1, old.st_gid) != 0)
+        mode &= ~S_IRWXG;  // it was another group that might
+    fchmod(file, mode);    // where a disk has no modes, only the owner may
 }
 
 Status checkPixels(const std::string& path, const Image& image)
@@ -230,17 +226,41 @@ std::string lowerExtension(const std::string& path)
     return extension;
 }
 
+std::filesystem::path behindLinks(const std::string& path)
+{
+    constexpr int kMostLinks = 40;  // as on Linux
+    std::filesystem::path file = path;
+    std::error_code error;
+    for (int k = 0; k < kMostLinks && std::filesystem::is_symlink(file, error); ++k)
+        file = file.parent_path() / std::filesystem::read_symlink(file, error);
+    return file;
+}
+
+int writeAll(int file, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t count = write(file, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return 0;
+}
+
 Status writeFile(const std::string& path, std::string_view bytes)
 {
-    std::error_code error;
-    const auto target = resolvedTarget(path);
-    if (std::filesystem::is_directory(target, error)) return cannotWrite(path, "it is a folder");
-    if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error))
-        return cannotWrite(path, "it is not a regular file");
+    const auto target = behindLinks(path);
+    struct stat old = {};
+    const bool replaces = stat(target.c_str(), &old) == 0;
+    if (!replaces && errno != ENOENT) return cannotWrite(path, std::strerror(errno));
+    if (replaces && !S_ISREG(old.st_mode))
+        return cannotWrite(path, S_ISDIR(old.st_mode) ? "it is a folder" : "it is no regular file");
     std::string temporary;
-    std::FILE* file = openTemporary(target.parent_path(), temporary);
-    if (!file) return cannotWrite(path, std::strerror(errno));
-    int failure = writeWhole(file, bytes);
+    const int file = openTemporary(target.parent_path(), replaces ? 0600 : 0666, temporary);
+    if (file < 0) return cannotWrite(path, std::strerror(errno));
+    if (replaces) keepAccess(file, old);
+    int failure = writeAll(file, bytes);
+    if (close(file) != 0 && failure == 0) failure = errno;
     if (failure == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) failure = errno;
     if (failure == 0) return {};
     std::remove(temporary.c_str());
@@ -268,15 +288,14 @@ Status writePng(const std::string& path, const Image& image)
         return cannotWrite(path, "there is not enough memory");
     Status status = writeFile(path, bytes);
     if (!status || !undefined) return status;
-    Diagnostic warning = {Code::not_finite, "'" + path + "' has pixels that are not a number"};
-    warning.help = "they are written as 0; PFM keeps them";
+    Diagnostic warning = {Code::not_finite, "'" + path + "' has pixels that are not a number",
+                          "they are written as 0; PFM keeps them"};
     warning.severity = Severity::warning;
     return warning;
 }
 
-Status writePfm(const std::string& path, const Image& image)
+std::string pfmBytes(const Image& image)
 {
-    if (Status status = checkPixels(path, image); !status) return status;
     const int channels = image.channels == 1 ? 1 : 3;
     std::string bytes = channels == 1 ? "Pf\n" : "PF\n";
     bytes += std::to_string(image.extent.width) + " " + std::to_string(image.extent.height);
@@ -285,7 +304,13 @@ Status writePfm(const std::string& path, const Image& image)
         for (int x = 0; x < image.extent.width; ++x)
             for (int channel = 0; channel < channels; ++channel)
                 appendFloat(bytes, channelOr(image, x, y, channel, 0.0f));
-    return writeFile(path, bytes);
+    return bytes;
+}
+
+Status writePfm(const std::string& path, const Image& image)
+{
+    Status status = checkPixels(path, image);
+    return status ? writeFile(path, pfmBytes(image)) : status;
 }
 
 Status writeImage(const std::string& path, const Image& image)
@@ -293,9 +318,8 @@ Status writeImage(const std::string& path, const Image& image)
     const std::string extension = lowerExtension(path);
     if (extension == ".png") return writePng(path, image);
     if (extension == ".pfm") return writePfm(path, image);
-    Diagnostic error = {Code::usage, "'" + path + "' names no kind of image that can be written"};
-    error.help = "end the name in .png for a picture, in .pfm for floats";
-    return error;
+    return Diagnostic{Code::usage, "'" + path + "' names no kind of image that can be written",
+                      "end the name in .png for a picture, in .pfm for floats"};
 }
 
 Result<Image> readImage(const std::string& path, double most_pixels)

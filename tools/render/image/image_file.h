@@ -9,12 +9,20 @@
 #include <crevice/image.h>
 #include <crevice/result.h>
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace crevice {
 
-/// Writes any bytes in that safe way; an existing file is replaced.
+/// The file that a write to `path` makes or replaces: where links lead, also if nothing is there.
+std::filesystem::path behindLinks(const std::string& path);
+
+/// Writes all bytes to an open file. Zero, or the errno of what failed.
+int writeAll(int file, std::string_view bytes);
+
+/// Writes any bytes in that safe way. A file that is replaced keeps its mode, and its owner where
+/// that is allowed; a link stays one.
 /// Errors: CV7007 with the system's reason.
 Status writeFile(const std::string& path, std::string_view bytes);
 
@@ -26,6 +34,9 @@ Status writePng(const std::string& path, const Image& image);
 /// 32-bit floats, bit for bit, for 1 or 3 channels (2 get a third of 0; a fourth is left out).
 /// Errors: CV7005 for an image without pixels, CV7007.
 Status writePfm(const std::string& path, const Image& image);
+
+/// What `writePfm` writes. Requires 1, 3 or 4 channels and all pixels.
+std::string pfmBytes(const Image& image);
 
 /// ".png" of "a/B.PNG"; empty where there is none.
 std::string lowerExtension(const std::string& path);

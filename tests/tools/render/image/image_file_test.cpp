@@ -2,6 +2,8 @@
 // Images on disk: what is written is read back, and a failure leaves nothing behind.
 #include "tools/render/image/image_file.h"
 
+#include "core/base/files.h"
+
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 
@@ -157,6 +159,52 @@ TEST_CASE("a write replaces the file, through a link too, under any name, and le
     for (const std::string& name : {std::string("a.PNG"), std::string("a.pfm"), longest})
         CHECK(writeImage((folder.path / name).string(), image).ok());
     CHECK(filesIn(folder.path) == 5);
+}
+
+TEST_CASE("a write keeps the mode of the file that it replaces, and a new one has the umask's")
+{
+    const TemporaryFolder folder("image_mode");
+    const auto modeOf = [](const std::string& path) {
+        struct stat info = {};
+        REQUIRE(stat(path.c_str(), &info) == 0);
+        return info.st_mode & 07777;
+    };
+    for (const mode_t mode : {0600, 0640, 0444, 0666, 0755}) {
+        const std::string file = folder.write("old.txt", "old");
+        REQUIRE(chmod(file.c_str(), mode) == 0);
+        need(writeFile(file, "new"));
+        CHECK(modeOf(file) == mode);
+        std::filesystem::remove(file);
+    }
+    const std::string fresh = (folder.path / "new.txt").string();
+    const mode_t before = umask(027);
+    need(writeFile(fresh, "new"));
+    umask(before);
+    CHECK(modeOf(fresh) == 0640);
+}
+
+TEST_CASE("a write makes the file that links lead to, and replaces no link")
+{
+    const TemporaryFolder folder("image_dangling");
+    const auto in = [&](const char* name) { return (folder.path / name).string(); };
+    std::filesystem::create_directory(in("other"));
+    const std::pair<std::string, const char*> links[] = {{"other/a.txt", "relative"},
+                                                         {in("other/b.txt"), "absolute"},
+                                                         {"relative", "chain"},
+                                                         {"none/a.txt", "nowhere"},
+                                                         {"loop", "loop"}};
+    for (const auto& [target, link] : links) std::filesystem::create_symlink(target, in(link));
+    for (const char* link : {"chain", "absolute"}) need(writeFile(in(link), link));
+    CHECK(readBytes(in("other/a.txt"), 9).bytes == "chain");
+    CHECK(readBytes(in("other/b.txt"), 9).bytes == "absolute");
+    for (const char* link : {"nowhere", "loop"}) {
+        const Status status = writeFile(in(link), "text");
+        CHECK(codeOf(status) == Code::cannot_write);
+        CHECK_THAT(status.diagnostics()[0].message, Catch::Contains(link));
+    }
+    for (const auto& each : links) CHECK(std::filesystem::is_symlink(in(each.second)));
+    CHECK(filesIn(folder.path) == 6);
+    CHECK(filesIn(in("other")) == 2);
 }
 
 TEST_CASE("an image that is no regular file or larger than memory is refused unread")
