@@ -25,11 +25,10 @@ public:
         if (path.empty() || found_.contains(path)) return;
         const std::string uri = pictureUri(path, folder);
         if (uri.empty()) {
-            Diagnostic warning{Code::image_broken, "the picture '" + path +
-                                                       "' is no PNG below the folder "
-                                                       "of its results file"};
-            warning.help =
-                "the report leaves it out; keep pictures in the folder of their results file";
+            Diagnostic warning{
+                Code::image_broken,
+                "the picture '" + path + "' is no PNG below the folder of its results file",
+                "the report leaves it out; keep pictures in the folder of their results file"};
             warning.severity = Severity::warning;
             warnings.push_back(std::move(warning));
         }
@@ -93,8 +92,10 @@ json adviceFor(const std::vector<BenchSample>& samples, const std::string& devic
 std::string quoted(const json& value)
 {
     if (!value.is_string()) return dump(value);
-    const std::string text = printable(value.get<std::string>());
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string text = printable(value.get<std::string>());
+    if (!text.empty() && std::string_view("=+-@\t\n'").find(text[0]) != std::string_view::npos)
+        text.insert(0, 1, '\'');  // else a spreadsheet runs it [OWASP, "CSV Injection"]
+    if (text.find_first_of(",;\"\t\r\n") == std::string::npos) return text;
     std::string safe = "\"";
     for (const char c : text) safe += c == '"' ? std::string("\"\"") : std::string(1, c);
     return safe + '"';

@@ -124,3 +124,25 @@ TEST_CASE("the CSV has a row a sample, quotes what needs it, and motion where it
     CHECK(holds(csv, ",no memory,"));
     CHECK(holds(csv, ",0.0678,3,"));
 }
+
+TEST_CASE("no name in the CSV is a spreadsheet's formula, and each can be told from it")
+{
+    const std::string names[] = {"=1+1", "+geometry/a", "-2+3", "@SUM(1)",
+                                 "\t=1", "\n=1",        "'a",   "a=1"};
+    std::vector<BenchSample> samples;
+    for (const std::string& name : names) {
+        samples.push_back(benchSample(name, 4, 0.1, 0.2));
+        samples.back().overrides = {"=x", "y"};
+        samples.back().scene = "=cmd|' /C calc'!A0";
+        samples.back().error.bias = -0.25;
+    }
+    const std::string csv = reportCsv(samples);
+    for (const char* cell : {"\r\n'=1+1,", "\r\n'+geometry/a,", "\r\n'-2+3,", "\r\n'@SUM(1),",
+                             "\r\n\"'\t=1\",", "\r\n\"'\n=1\",", "\r\n''a,", "\r\na=1,"})
+        CHECK(holds(csv, cell));
+    CHECK(holds(csv, ",'=x y,"));
+    CHECK(holds(csv, ",'=cmd|' /C calc'!A0,"));
+    CHECK(holds(csv, ",-0.25,"));
+    for (const char* formula : {",=", ",+", ",@", "\n+", "\n-", "\n@"})
+        CHECK_FALSE(holds(csv, formula));
+}
