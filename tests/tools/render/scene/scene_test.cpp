@@ -144,7 +144,8 @@ TEST_CASE("every projection is finite, whatever the bounds")
 
 TEST_CASE("a missing scene suggests what was meant")
 {
-    const TemporaryFolder folder("scene_suggest");
+    const TemporaryFolder folder(
+        "scene_suggest_in_a_folder_whose_name_is_much_longer_than_any_file_in_it");
     folder.write("teapot.obj", kCube);
     for (const auto& [name, meant] : {std::pair<std::string, const char*>("rom", "'room'"),
                                       {(folder.path / "teepot.obj").string(), "teapot.obj'"},

@@ -25,7 +25,7 @@ std::vector<std::string> filesNearby(const std::filesystem::path& path)
     std::filesystem::directory_iterator entries(folder, error);
     for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error))
         if (entries->path().extension() == path.extension())
-            names.push_back((path.parent_path() / entries->path().filename()).string());
+            names.push_back(entries->path().filename().string());
     return names;
 }
 
@@ -33,9 +33,10 @@ Diagnostic sceneMissing(const std::string& name)
 {
     Diagnostic error = {Code::scene_missing, "there is no scene '" + name + "'"};
     if (looksLikeFile(name)) error.message = "the scene file '" + name + "' does not exist";
-    const auto files = looksLikeFile(name) ? filesNearby(name) : std::vector<std::string>();
+    const std::filesystem::path path = name;
+    const auto files = looksLikeFile(name) ? filesNearby(path) : std::vector<std::string>();
     error.help = files.empty() ? suggestName(name, builtinSceneNames(), "built-in scenes")
-                               : suggestName(name, files, "files");
+                               : suggestName(path.filename().string(), files, "files beside it");
     return error;
 }
 
