@@ -33,13 +33,11 @@ bool isPage(const fs::path& folder)
 
 Result<PageFiles> PageFiles::list(const std::string& folder)
 {
-    if (folder.empty() || !isPage(folder)) {
-        Diagnostic error = {Code::page_missing,
-                            folder.empty() ? "the page is not built"
-                                           : "the folder '" + folder + "' has no index.html"};
-        error.help = "build the page with tools/page.sh, or name its folder with --page";
-        return error;
-    }
+    if (folder.empty() || !isPage(folder))
+        return Diagnostic{Code::page_missing,
+                          folder.empty() ? "the page is not built"
+                                         : "the folder '" + folder + "' has no index.html",
+                          "build the page with tools/page.sh, or name its folder with --page"};
     PageFiles files;
     std::error_code error;
     fs::recursive_directory_iterator entries(folder, error);

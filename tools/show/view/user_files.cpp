@@ -31,9 +31,11 @@ bool isUtf8(const std::string& text)
     return true;
 }
 
-// What keeps the file from being written, or nothing.
-Diagnostics refusal(const std::string& file, const FileBytes& present)
+// What keeps the text from being written to the file, or nothing.
+Diagnostics refusal(const std::string& file, const FileBytes& present, const std::string& text)
 {
+    if (!isUtf8(text))
+        return {{Code::bad_utf8, "the text for '" + file + "' is not UTF-8: it could not be read"}};
     if (!present && !present.missing)
         return {{Code::cannot_write, "cannot write '" + file + "': " + present.failure}};
     if (isUtf8(present.bytes)) return {};
@@ -110,7 +112,7 @@ Save UserFiles::save(const std::string& path, const std::string& version, const 
     const std::vector<std::string> files = filesAt(path);
     if (files.empty()) return {Save::End::unknown};
     const FileBytes present = readStart(files.front(), kMaxDocumentBytes + 1);
-    if (const Diagnostics why = refusal(files.front(), present); !why.empty())
+    if (const Diagnostics why = refusal(files.front(), present, text); !why.empty())
         return {Save::End::failed, {}, why};
     if (present && versionOf(present.bytes) != version)
         return {Save::End::changed, {path, present.bytes, versionOf(present.bytes)}};

@@ -116,6 +116,21 @@ TEST_CASE("a file that is not UTF-8 is shown and not written")
     CHECK(readFile(config.radius)->text == text);
 }
 
+TEST_CASE("a text that is not UTF-8 is not saved, and later ones are")
+{
+    const Config config;
+    UserFiles files = config.files();
+    const std::string path = "configs/more/radius.json";
+    const std::string version = versionOf(files, path);
+    for (const char* bytes : {"// \xe9\n", "\xc0\x80", "\xed\xa0\x80", "\xef\xbb"}) {
+        const Save save = files.save(path, version, std::string(kRadius) + bytes);
+        REQUIRE(save.end == Save::End::failed);
+        CHECK(save.why[0].code == Code::bad_utf8);
+        CHECK(readFile(config.radius)->text == kRadius);
+    }
+    CHECK(files.save(path, version, std::string(kRadius) + "\xc3\xa9").end == Save::End::done);
+}
+
 TEST_CASE("a config below its root, and one that is named like a shipped one, load in the page")
 {
     const TemporaryFolder folder("user_files_root");

@@ -124,6 +124,9 @@ def check_saves():
                % (base, path, port, version)).encode()
     over = chunked + b"".join(b"10000\r\n" + b"y" * 0x10000 + b"\r\n" for _ in range(17)) + b"0\r\n\r\n"
     check("413 for more than that in chunks", " 413 " in sent_as_is(over))
+    for tail in [b"\xe9", b"\xc0\x80", b"\xed\xa0\x80"]:
+        refused = ask("PUT", base + "files/" + path, text.encode() + tail, If_Match=version)
+        check("403 for bytes that are not UTF-8", refused.status == 403 and b"UTF-8" in refused.data)
     check("so far nothing is written", '0.8' in lines_of("more/radius.json"))
 
     saved = put(path, text, version, Origin="http://127.0.0.1:%d" % port)
