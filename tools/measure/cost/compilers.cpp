@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "tools/commands/cli/run_program.h"
+#include "tools/measure/reference/reference_cache.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -18,19 +19,6 @@ constexpr double kCompileSeconds =
     300;  // a large config's programs take one compiler a few seconds
 
 constexpr const char* kProgram = "/compile_programs";
-
-std::string variable(const char* name)
-{
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
-/// The script's own: ${XDG_CACHE_HOME:-~/.cache}/crevice/mobile_compilers.
-std::string usualFolder()
-{
-    const std::string cache = variable("XDG_CACHE_HOME");
-    return (cache.empty() ? variable("HOME") + "/.cache" : cache) + "/crevice/mobile_compilers";
-}
 
 /// What `compile_programs` reads.
 std::string inputOf(const std::vector<PlanProgram>& programs)
@@ -67,19 +55,20 @@ std::string lastLine(const std::string& output)
 Result<Compilers> findCompilers(const std::string& folder)
 {
     Compilers compilers{folder};
-    if (compilers.folder.empty()) compilers.folder = variable("CREVICE_MOBILE_COMPILERS");
-    if (compilers.folder.empty()) compilers.folder = usualFolder();
+    const char* named = std::getenv("CREVICE_MOBILE_COMPILERS");
+    if (compilers.folder.empty() && named) compilers.folder = named;
+    if (compilers.folder.empty()) compilers.folder = usualCacheFolder() + "/mobile_compilers";
     std::vector<std::string> wanted = {kProgram};
     for (const CostGpu& gpu : costGpus()) wanted.push_back(std::string("/inst/lib/") + gpu.shim);
     for (const std::string& file : wanted) {
         std::error_code error;
         if (fs::exists(compilers.folder + file, error)) continue;
-        Diagnostic missing{Code::no_compilers, "the compilers of phones' GPUs are not there: '" +
-                                                   compilers.folder + file + "' is missing"};
-        missing.help =
+        return Diagnostic{
+            Code::no_compilers,
+            "the compilers of phones' GPUs are not there: '" + compilers.folder + file +
+                "' is missing",
             "build them with tools/scripts/mobile_compilers.sh, about ten minutes; or name their "
-            "folder with --compilers or CREVICE_MOBILE_COMPILERS";
-        return missing;
+            "folder with --compilers or CREVICE_MOBILE_COMPILERS"};
     }
     return compilers;
 }

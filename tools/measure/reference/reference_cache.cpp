@@ -3,6 +3,7 @@
 #include "tools/measure/reference/reference_cache.h"
 
 #include "core/base/content_hash.h"
+#include "core/base/files.h"
 #include "tools/render/image/image_file.h"
 
 #include <CLI/CLI.hpp>
@@ -11,6 +12,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
 namespace fs = std::filesystem;
 
@@ -18,18 +21,6 @@ namespace crevice {
 namespace {
 
 static_assert(sizeof(Vertex) == 8 * sizeof(float), "vertices are hashed as they lie in memory");
-
-std::string environment(const char* name)
-{
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
-template <typename Matrix>
-void addTransform(ContentHash& hash, const Matrix& matrix)
-{
-    hash.addBytes(&matrix[0][0], sizeof(matrix));
-}
 
 void addMesh(ContentHash& hash, const MeshDesc& mesh)
 {
@@ -57,30 +48,53 @@ void addTracedScene(ContentHash& hash, const Scene& scene)
     for (const MeshDesc& mesh : scene.meshes) addMesh(hash, mesh);
     for (const SceneInstance& instance : scene.instances) {
         hash.add(instance.mesh);
-        addTransform(hash, instance.world_from_model);
+        hash.addBytes(&instance.world_from_model, sizeof(instance.world_from_model));
         addCutout(hash, scene, scene.materials[instance.material]);
     }
 }
 
-bool whole(const Image& image, Extent extent)
+// What stands behind the picture in its file: as many digits as the key has.
+std::string checksum(std::string_view pfm, const std::string& key)
 {
-    return image.extent == extent && image.channels == 1 &&
-           std::all_of(image.pixels.begin(), image.pixels.end(), [](float value) {
-               return std::isnan(value) || (value >= 0.0f && value <= 1.0f);
-           });
+    ContentHash hash;
+    hash.addText(key);
+    hash.addText(pfm);
+    return hash.hex();
 }
 
-Diagnostics keep(const std::string& folder, const std::string& file, const Image& image)
+// A file that is there but is not what was kept under the key is a warning.
+std::optional<Image> readKept(const std::string& file, const std::string& key, Extent extent,
+                              Diagnostics& warnings)
+{
+    constexpr std::size_t kMostBeside = 128;  // header and checksum
+    const FileBytes kept =
+        readBytes(file, std::size_t(extent.width) * extent.height * sizeof(float) + kMostBeside);
+    if (kept.missing) return std::nullopt;
+    const std::size_t end = kept.bytes.size() - std::min(kept.bytes.size(), key.size());
+    const std::string_view pfm = std::string_view(kept.bytes).substr(0, end);
+    if (kept && kept.bytes.substr(end) == checksum(pfm, key))
+        if (Result<Image> image = decodeImage(pfm, file)) return std::move(*image);
+    Diagnostic warning{Code::image_broken,
+                       "the cached reference '" + file + "' is not as it was written",
+                       "it is traced again"};
+    warning.severity = Severity::warning;
+    warnings.push_back(std::move(warning));
+    return std::nullopt;
+}
+
+void keep(const std::string& file, const std::string& key, const Image& image,
+          Diagnostics& warnings)
 {
     std::error_code ignored;
-    fs::create_directories(folder, ignored);
-    Diagnostics warnings = writePfm(file, image).diagnostics();
-    for (Diagnostic& warning : warnings) {
+    fs::create_directories(fs::path(file).parent_path(), ignored);
+    const std::string pfm = pfmBytes(image);
+    const Status written = writeFile(file, pfm + checksum(pfm, key));
+    for (Diagnostic warning : written.diagnostics()) {
         warning.severity = Severity::warning;
         warning.help =
             "the reference is not kept and will be traced again; give another folder with --cache";
+        warnings.push_back(std::move(warning));
     }
-    return warnings;
 }
 
 Status checkSeen(const Image& image)
@@ -88,9 +102,9 @@ Status checkSeen(const Image& image)
     const bool seen = std::any_of(image.pixels.begin(), image.pixels.end(),
                                   [](float value) { return !std::isnan(value); });
     if (seen) return {};
-    Diagnostic error{Code::nothing_seen, "the camera sees no surface of the scene"};
-    error.help = "leave --camera out for a view of the whole scene, or turn the camera towards it";
-    return error;
+    return Diagnostic{
+        Code::nothing_seen, "the camera sees no surface of the scene",
+        "leave --camera out for a view of the whole scene, or turn the camera towards it"};
 }
 
 }  // namespace
@@ -98,10 +112,17 @@ Status checkSeen(const Image& image)
 std::string CacheOptions::path() const
 {
     if (off) return {};
-    if (!folder.empty()) return folder;
-    if (const std::string cache = environment("XDG_CACHE_HOME"); !cache.empty())
-        return cache + "/crevice";
-    const std::string home = environment("HOME");
+    return folder.empty() ? usualCacheFolder() : folder;
+}
+
+std::string usualCacheFolder()
+{
+    const auto variable = [](const char* name) -> std::string {
+        const char* value = std::getenv(name);
+        return value ? value : "";
+    };
+    const std::string cache = variable("XDG_CACHE_HOME"), home = variable("HOME");
+    if (!cache.empty()) return cache + "/crevice";
     return home.empty() ? "" : home + "/.cache/crevice";
 }
 
@@ -122,8 +143,8 @@ std::string referenceKey(const Scene& scene, const Camera& camera, Extent extent
     ContentHash hash;
     hash.add(kTracerVersion);
     addTracedScene(hash, scene);
-    addTransform(hash, camera.view_from_world);
-    addTransform(hash, camera.clip_from_view);
+    hash.addBytes(&camera.view_from_world, sizeof(camera.view_from_world));
+    hash.addBytes(&camera.clip_from_view, sizeof(camera.clip_from_view));
     hash.add(extent.width);
     hash.add(extent.height);
     hash.add(options.radius);
@@ -134,17 +155,15 @@ std::string referenceKey(const Scene& scene, const Camera& camera, Extent extent
 Result<Image> cachedReference(const Scene& scene, const Camera& camera, Extent extent,
                               const TraceOptions& options, const std::string& cache_folder)
 {
-    std::string file;
-    if (!cache_folder.empty()) {
-        file = cache_folder + "/ao_" + referenceKey(scene, camera, extent, options) + ".pfm";
-        const Result<Image> kept = readImage(file);
-        if (kept && whole(*kept, extent)) return kept;
-    }
+    Diagnostics warnings;
+    const std::string key = referenceKey(scene, camera, extent, options);
+    const std::string file = cache_folder + "/ao_" + key + ".pfm";
+    if (!cache_folder.empty())
+        if (auto kept = readKept(file, key, extent, warnings)) return std::move(*kept);
     Result<Image> traced = traceAmbientOcclusion(scene, camera, extent, options);
     if (!traced) return traced;
     if (const Status seen = checkSeen(*traced); !seen) return seen.diagnostics();
-    if (file.empty()) return traced;
-    Diagnostics warnings = keep(cache_folder, file, *traced);
+    if (!cache_folder.empty()) keep(file, key, *traced, warnings);
     return {std::move(*traced), std::move(warnings)};
 }
 

@@ -24,6 +24,9 @@ struct CacheOptions {
     std::string path() const;
 };
 
+/// $XDG_CACHE_HOME/crevice or ~/.cache/crevice; empty where neither variable is set.
+std::string usualCacheFolder();
+
 /// Adds --cache and --no-cache.
 void addCacheOptions(CLI::App& app, CacheOptions& options);
 
@@ -32,9 +35,9 @@ void addCacheOptions(CLI::App& app, CacheOptions& options);
 std::string referenceKey(const Scene& scene, const Camera& camera, Extent extent,
                          const TraceOptions& options);
 
-/// The picture of `traceAmbientOcclusion`, from the folder where it is there and whole; otherwise
-/// it is traced and kept there. A folder that cannot be written is a warning. An empty name: no
-/// folder.
+/// The picture of `traceAmbientOcclusion`, from the folder where it is there; otherwise it is
+/// traced and kept there, with a checksum behind the PFM. A file that was changed and a folder that
+/// cannot be written are warnings. An empty name: no folder.
 ///
 /// Errors: CV7008 when the camera sees no surface, and those of `traceAmbientOcclusion`.
 Result<Image> cachedReference(const Scene& scene, const Camera& camera, Extent extent,

@@ -2,6 +2,8 @@
 // References on disk: their keys, and what happens to broken files.
 #include "tools/measure/reference/reference_cache.h"
 
+#include "core/base/files.h"
+
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/reference/tracer_shot.h"
 #include "tools/render/image/image_file.h"
@@ -112,19 +114,45 @@ TEST_CASE("A kept reference is read and not traced, background and all")
     CHECK(std::isnan(kept.at(0, 15)));
 }
 
-TEST_CASE("A broken kept reference is traced again")
+TEST_CASE("A kept reference that was changed is traced again, with one warning that names it")
 {
     const TemporaryFolder folder("reference_broken");
     const std::string cache = folder.path.string();
     const Image traced = need(cached(cache));
-    const std::filesystem::path file = onlyFile(folder.path);
-    std::filesystem::resize_file(file, 40);
-    CHECK(sameBits(need(cached(cache)), traced));
-    for (const Image& wrong : {Image(kExtent, 1, 7.0f), Image({4, 4}, 1, 0.5f)}) {
-        REQUIRE(writePfm(file.string(), wrong).ok());  // no visibility; another size
-        CHECK(sameBits(need(cached(cache)), traced));
+    const std::string file = onlyFile(folder.path).string();
+    const std::string whole = readBytes(file, 1 << 20).bytes;
+    const auto changed = [&whole](std::size_t at) {
+        std::string bytes = whole;
+        bytes[at] = static_cast<char>(bytes[at] ^ 1);
+        return bytes;
+    };
+    TraceOptions fewer = kOptions;
+    fewer.rays = 4;
+    const TemporaryFolder beside("reference_other");
+    const std::string other = beside.path.string();
+    need(cachedReference(sphereOnFloor(), kCamera, kExtent, fewer, other));
+    const std::string broken[] = {
+        pfmBytes(Image(kExtent, 1, 0.25f)),  // plausible, and not what was traced
+        pfmBytes(Image(kExtent, 1, 7.0f)),   // no visibility
+        pfmBytes(Image({4, 4}, 1, 0.5f)),    // another size
+        pfmBytes(Image(kExtent, 1, 0.25f)) + whole.substr(whole.size() - 16),
+        readBytes(onlyFile(other).string(), 1 << 20).bytes,  // of another question
+        changed(100),
+        changed(whole.size() - 1),
+        whole.substr(0, 40),
+        whole + " ",
+        ""};
+    for (const std::string& bytes : broken) {
+        need(writeFile(file, bytes));
+        const Result<Image> again = cached(cache);
+        CHECK(sameBits(need(again), traced));
+        REQUIRE(again.diagnostics().size() == 1);
+        CHECK(again.diagnostics()[0].severity == Severity::warning);
+        CHECK_THAT(again.diagnostics()[0].message, Catch::Contains(file));
+        CHECK(readBytes(file, 1 << 20).bytes == whole);
+        CHECK(cached(cache).diagnostics().empty());
     }
-    CHECK(sameBits(need(readImage(onlyFile(folder.path).string())), traced));
+    CHECK(sameBits(need(readImage(file)), traced));
 }
 
 TEST_CASE("A folder that cannot be written is a warning, and no folder is no matter")
