@@ -25,10 +25,11 @@ done
 expect 0 'CV1204' bench --list --config mine/mine.json
 expect 0 'CV100' bench --list --config mine/mine.json --root .
 expect 2 'CV8001' validate mine/mine.json --root nowhere
-for name in ./../secret.env ../missing.env ./link.frag ./include.frag; do
+for name in ./../secret.env ../missing.env ./link.frag ./include.frag ./whole.frag "$PWD/secret.env" "$PWD/missing.env"; do
     config '' ", \"shaders\": {\"ssao\": {\"fragment\": \"$name\"}}"
     ln -sf ../secret.env mine/link.frag
     printf '#version 300 es\n#include "./../secret.env"\nvoid main() {}\n' >mine/include.frag
+    printf '#version 300 es\n#include "%s/secret.env"\nvoid main() {}\n' "$PWD" >mine/whole.frag
     expect 1 'CV1204' validate mine/mine.json
     never_shows hunter2
     expect 1 'CV1204' validate mine/mine.json --json
@@ -37,6 +38,10 @@ done
 expect 1 'CV1204' validate learnopengl --set /shaders/ssao/fragment=../secret.env
 expect 1 'CV1204' validate learnopengl --set "/shaders/ssao/fragment=./../secret.env"
 never_shows hunter2
+config '' ", \"interfaces\": {\"mine\": \"$PWD/secret.env\"}"
+expect 1 'CV1204.*outside of' validate mine/mine.json
+config ", \"$PWD/secret.env\""
+expect 1 'CV1204.*outside of' validate mine/mine.json
 printf '{"format": 1, "name": "base", "extends": ["learnopengl"], "variants": {"low": {}}}\n' >base.json
 config ', "../base.json"'
 expect 0 'mine.json variant low: ok' validate mine/mine.json --root .
