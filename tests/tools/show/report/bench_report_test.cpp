@@ -137,12 +137,10 @@ TEST_CASE("no name in the CSV is a spreadsheet's formula, and each can be told f
         samples.back().error.bias = -0.25;
     }
     const std::string csv = reportCsv(samples);
-    for (const char* cell : {"\r\n'=1+1,", "\r\n'+geometry/a,", "\r\n'-2+3,", "\r\n'@SUM(1),",
-                             "\r\n\"'\t=1\",", "\r\n\"'\n=1\",", "\r\n''a,", "\r\na=1,"})
+    for (const char* cell :
+         {"\r\n'=1+1,", "\r\n'+geometry/a,", "\r\n'-2+3,", "\r\n'@SUM(1),", "\r\n\"'\t=1\",",
+          "\r\n\"'\n=1\",", "\r\n''a,", "\r\na=1,", ",'=x y,", ",'=cmd|' /C calc'!A0,", ",-0.25,"})
         CHECK(holds(csv, cell));
-    CHECK(holds(csv, ",'=x y,"));
-    CHECK(holds(csv, ",'=cmd|' /C calc'!A0,"));
-    CHECK(holds(csv, ",-0.25,"));
     for (const char* formula : {",=", ",+", ",@", "\n+", "\n-", "\n@"})
         CHECK_FALSE(holds(csv, formula));
 }
