@@ -18,14 +18,19 @@ const FLAGS = [
 ];
 export const work = mkdtempSync(join(tmpdir(), 'crevice_page_'));
 
-// What a page that `crevice view` serves may do.
-async function policyOfView() {
-  const view = spawn(CREVICE, ['view', '--page', PAGE, '--no-browser']);
-  const [address] = await once(view.stdout, 'data');
-  const {headers} = await fetch(String(address).trim());
-  view.kill('SIGINT');
-  return headers.get('content-security-policy');
+/// Runs `crevice view` with these arguments while `use(address)` does.
+export async function viewing(use, ...options) {
+  const view = spawn(CREVICE, ['view', ...options, '--page', PAGE, '--no-browser']);
+  try {
+    const [address] = await once(view.stdout, 'data');
+    return await use(String(address).trim());
+  } finally {
+    view.kill('SIGINT');
+  }
 }
+
+// What a page that `crevice view` serves may do.
+const policyOfView = () => viewing(async address => (await fetch(address)).headers.get('content-security-policy'));
 
 let server, chromium;
 export async function start() {
@@ -52,7 +57,7 @@ export async function stop() {
   rmSync(work, {recursive: true, force: true});
 }
 
-/// Opens the page at a link and waits until it rests. `heard` gathers what the console and the network complain of.
+/// Opens the page at a link, or at an address of `viewing`, and waits until it rests. `heard` gathers what the console and the network complain of.
 export async function open(link = '', {width = 1400, height = 900} = {}) {
   const page = await chromium.newPage();
   page.heard = [];
@@ -63,7 +68,7 @@ export async function open(link = '', {width = 1400, height = 900} = {}) {
   });
   page.on('response', response => response.status() >= 400 && page.heard.push(response.status() + ' ' + response.url()));
   await page.setViewport({width, height, isMobile: width < 500, hasTouch: width < 500});
-  await page.goto(`http://127.0.0.1:${server.address().port}/${link}`);
+  await page.goto(new URL(link, `http://127.0.0.1:${server.address().port}/`));
   await page.waitForFunction('window.crevice');
   await rest(page);
   return page;

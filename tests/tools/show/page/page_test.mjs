@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The page in headless Chromium, used as people use it.
 import assert from 'node:assert/strict';
-import {writeFileSync} from 'node:fs';
+import {mkdirSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {crevice, differing, open, quiet, readPfm, rest, start, stop, work} from './browser.mjs';
+import {crevice, differing, open, quiet, readPfm, rest, start, stop, viewing, work} from './browser.mjs';
 
 before(start);
 after(stop);
@@ -47,6 +47,42 @@ test('The page opens without a word in its console, and soon', async () => {
   const ms = await page.evaluate(() => performance.getEntriesByName('first-picture')[0].startTime);
   console.log(`first picture after ${Math.round(ms)} ms`);
   assert(ms < FIRST_PICTURE_MS, `${ms} ms`);
+  quiet(page);
+  await page.close();
+});
+
+test('The first picture is sharp, smooth and shows its AO, with what that takes', async () => {
+  const page = await open();
+  const [sizes, samples] = await page.evaluate(() => {
+    const {clientWidth, clientHeight} = crevice.engine.canvas, msaa = crevice.engine.state(0).params.find(each => each.name === 'msaa');
+    return [[crevice.engine.size, [clientWidth, clientHeight]], msaa.value[0]];
+  });
+  assert(sizes[0].every((pixels, i) => Math.abs(pixels - sizes[1][i]) <= 2), String(sizes));
+  assert(samples > 1);
+  const lit = await canvas(page);
+  await page.select('#show-a', 'without');
+  await rest(page);
+  const flat = await canvas(page), darker = lit.filter((value, i) => value < flat[i] - 0.05).length / lit.length;
+  assert(darker > 0.1, `AO is seen in ${darker} of the picture`);
+  await page.waitForFunction(() => /^AO \d[\d.]* ms · mobile/.test(document.querySelector('#name-a').textContent));
+  quiet(page);
+  await page.close();
+});
+
+test('Configs stand in the order of the documentation with a word each, and radius and intensity lead the knobs', async () => {
+  const page = await open('#config=balanced&scene=corner&size=96x54');
+  const groups = await page.$$eval('#config-a optgroup', nodes =>
+    nodes.map(node => [node.label, [...node.children].map(option => option.textContent)]));
+  assert.deepEqual(groups.map(([label]) => label), ['Presets', 'Methods', 'Authors']);
+  for (const [, options] of groups) for (const option of options) assert.match(option, /^\w+ – [^`*[\]]+$/);
+  const presets = groups[0][1].map(option => option.split(' ')[0]), place = name => presets.indexOf(name);
+  assert(place('mobile_low') === 0 && place('mobile') < place('balanced') && place('balanced') < place('high'));
+  for (const name of ['mobile', 'ssdo', 'learnopengl']) {
+    await page.select('#config-a', name);
+    await rest(page);
+    const knobs = await page.$$eval('[data-param]', nodes => nodes.map(node => node.dataset.param));
+    assert.deepEqual(knobs.slice(0, 2), ['radius', 'intensity'], name);
+  }
   quiet(page);
   await page.close();
 });
@@ -144,6 +180,56 @@ test('The canvas shows A, a drag orbits, and a line parts A from B', async () =>
   await page.close();
 });
 
+test('A/B opens with another picture than A', async () => {
+  const page = await open('#config=balanced&scene=corner&size=96x54');
+  for (const [show, other] of [['color', 'without'], ['without', 'color'], ['ao', 'without']]) {
+    await page.select('#show-a', show);
+    await rest(page);
+    const alone = await canvas(page), right = i => i % 96 >= 48;
+    await page.click('#split');
+    await rest(page);
+    assert.equal(await page.$eval('#show-b', node => node.value), other);
+    assert(differing((await canvas(page)).filter((_, i) => right(i)), alone.filter((_, i) => right(i))) > 1, show);
+    await page.click('#split');
+    await page.evaluate(() => crevice.app.setShow('b', crevice.app.a.show));  // as a user leaves it
+    await rest(page);
+  }
+  quiet(page);
+  await page.close();
+});
+
+test('The stage keeps its height while the camera moves and the truth is traced', async () => {
+  const page = await open('#config=mobile&scene=corner&size=96x54', {width: 1280, height: 800});
+  const heights = new Set(), measure = async () => heights.add(await page.$eval('#stage', node => node.clientHeight));
+  await measure();
+  for (const camera of ['eye=1,2,3;at=0,0,0', 'eye=-1.2345,2.3456,-3.4567;at=0.12345,0.23456,0.34567;up=0.1,0.9,0.2;fov=51.234']) {
+    await page.evaluate(at => crevice.app.setCamera(at), camera);
+    await rest(page);
+    await measure();
+  }
+  await page.click('#truth');
+  await measure();
+  await rest(page);
+  await measure();
+  assert.equal(heights.size, 1, [...heights].join(' '));
+  quiet(page);
+  await page.close();
+});
+
+test('The plan keeps its lines in a narrow window', async () => {
+  const page = await open('#config=high&scene=corner&size=96x54', {width: 420, height: 800});
+  await page.evaluate(() => crevice.app.openTab('plan'));
+  const {lines, rows, wide} = await page.$eval('#plan-text', node => ({
+    lines: node.textContent.trimEnd().split('\n').length,
+    rows: (node.clientHeight - 2 * parseFloat(getComputedStyle(node).paddingTop)) / parseFloat(getComputedStyle(node).lineHeight),
+    wide: document.scrollingElement.scrollWidth
+  }));
+  assert(Math.abs(rows - lines) < 2, `${lines} lines in ${rows} rows`);
+  assert(wide <= 420, `${wide} pixels`);
+  quiet(page);
+  await page.close();
+});
+
 test('Each tab shows what the engine says', async () => {
   const page = await open('#config=balanced&scene=corner&size=96x54');
   const passes = await page.evaluate(() => crevice.engine.plan(0).passes.map(pass => pass.name));
@@ -153,8 +239,15 @@ test('Each tab shows what the engine says', async () => {
   const plan = (await words('#plan-text'))[0];
   for (const name of passes) assert.match(plan, new RegExp(`^  ${name}: `, 'm'));
   await page.click('#tab-cost');
-  await page.waitForSelector('#bars tr');
-  assert.deepEqual(await words('#bars th'), passes);
+  await page.waitForSelector('#passes tr');
+  assert.deepEqual(await words('#passes th'), passes);
+  assert.deepEqual(await words('#turns th'), ['balanced', 'learnopengl']);
+  assert.match((await words('#turns td'))[1], /^[\d.]+ of learnopengl \([\d.]+ to [\d.]+\)$/);
+  await page.select('#config-a', 'learnopengl');
+  await page.waitForFunction(() => document.querySelector('#turns th').textContent === 'learnopengl');
+  assert.equal((await page.$$('#turns tr.soft')).length, 2, 'what overlaps is grey');
+  await page.select('#config-a', 'balanced');
+  await rest(page);
   await page.click('#tab-patch');
   assert.deepEqual(JSON.parse((await words('#patch-text'))[0]), {format: 1, extends: ['balanced']});
   await page.click('#tab-panel');
@@ -238,12 +331,47 @@ test('A link holds what was changed', async () => {
     return [app.a.config, app.a.show, engine.scene.name, engine.state(0).params.find(each => each.name === 'radius').value[0]];
   });
   assert.deepEqual(seen, ['gtao', 'ao', 'spheres', 0.7]);
+  const plain = await open('#config=gtao&scene=corner&size=96x54&set=radius=0.9&set=ao_on=everything&set=nothing=1');
+  const {params, features} = await plain.evaluate(() => crevice.engine.state(0));
+  assert.equal(params.find(each => each.name === 'radius').value[0], 0.9);
+  assert.equal(features.find(each => each.name === 'ao_on').value, 'everything');
+  assert.match(await plain.evaluate(() => crevice.app.message.text), /nothing=1/);
   const broken = await open('#not-a-link');
   assert(await broken.evaluate(() => crevice.app.message?.text), 'a bad link is told');
-  for (const each of [page, other, broken]) {
+  for (const each of [page, other, plain, broken]) {
     quiet(each);
     await each.close();
   }
+});
+
+test('crevice view opens what a link says, of one\'s own files too', async () => {
+  const folder = join(work, 'a_folder_with_a_name_that_fills_the_box');
+  mkdirSync(folder);
+  const config = join(folder, 'mine.json'), model = join(folder, 'model.obj');
+  writeFileSync(config, '{"format": 1, "extends": ["gtao"], "params": {"radius": 0.3}}\n');
+  writeFileSync(model, 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+  const seen = page => page.evaluate(() => {
+    const {app, engine} = crevice, radius = engine.state(0).params.find(each => each.name === 'radius').value[0];
+    return [app.a.config, app.builtin, app.camera, radius];
+  });
+  await viewing(async address => {
+    const page = await open(address + '#size=96x54');
+    assert.deepEqual(await seen(page), ['mine', null, '', 0.3]);
+    assert.equal(await page.$eval('#scene', node => node.selectedOptions[0].textContent), 'model.obj');
+    await page.evaluate(() => location.hash = 'scene=corner&camera=eye=1,2,3&set=radius=0.7&size=96x54');
+    await page.waitForFunction(() => crevice.app.builtin === 'corner');
+    assert.deepEqual(await seen(page), ['mine', 'corner', 'eye=1,2,3', 0.7]);
+    const linked = await open(address + '#config=sao&scene=spheres&camera=eye=3,2,1&set=radius=0.6&size=96x54');
+    assert.deepEqual(await seen(linked), ['sao', 'spheres', 'eye=3,2,1', 0.6]);
+    await page.click('#share');
+    await page.waitForFunction(() => !location.hash.includes('='));
+    const shared = await open(await page.evaluate(() => location.href));
+    assert.deepEqual(await seen(shared), ['mine', 'corner', 'eye=1,2,3', 0.7]);
+    for (const each of [page, linked, shared]) {
+      quiet(each);
+      await each.close();
+    }
+  }, config, '--scene', model);
 });
 
 test('The heat map says what crevice compare says', async () => {
@@ -255,6 +383,7 @@ test('The heat map says what crevice compare says', async () => {
   const figures = await page.evaluate(() => crevice.app.truth.figures);
   const written = await page.$eval('[data-figure=rmse]', node => node.textContent);
   assert.equal(written, figures.rmse.toFixed(4));
+  assert.match(await page.$eval('#scale', node => node.textContent), new RegExp(`−${figures.range} .*0.*\\+${figures.range}`));
   const at = ['--scene', 'spheres', '--camera', camera, '--size', '192x108'];
   const [ao, truth] = ['ao.pfm', 'truth.pfm'].map(name => join(work, name));
   await crevice('render', 'balanced', ...at, '--out', `ao=${ao}`);

@@ -27,7 +27,7 @@ struct DrawRequest {
 
 class Engine {
 public:
-    static constexpr int kSlots = 3;
+    static constexpr int kSlots = 4;
 
     /// Makes a WebGL 2 context on the canvas that the selector names. Errors: those of makeGlDevice
     /// and Display::create; CV6004 where the browser gives no context.

@@ -24,6 +24,8 @@ Engine engine;
 
 namespace {
 
+constexpr double kHeatRange = 0.25;  // of visibility: an error of that is full colour
+
 std::string scene_bytes;
 Image read_image;
 
@@ -248,9 +250,12 @@ EXPORT const char* page_compare(int slot, const float* truth, std::uint8_t* heat
     const Result<ImageDifference> figures = compareUnfitted(*ao, ground_truth);
     Json json = answer(figures);
     if (!figures) return say(json);
-    json.update({{"rmse", figures->rmse}, {"bias", figures->bias}, {"p99", figures->p99}});
+    json.update({{"rmse", figures->rmse},
+                 {"bias", figures->bias},
+                 {"p99", figures->p99},
+                 {"range", kHeatRange}});
     const Result<Image> picture =
-        heat ? differencePicture(*ao, ground_truth) : Result<Image>(Image());
+        heat ? differencePicture(*ao, ground_truth, nullptr, kHeatRange) : Result<Image>(Image());
     if (!heat || !picture) return say(json);
     const Extent extent = picture->extent;
     for (int y = 0; y < extent.height; ++y)

@@ -4,7 +4,7 @@ import {debounce} from "./dom.js";
 import {Drawing} from "./drawing.js";
 import {Knobs} from "./knobs.js";
 
-export const SLOT = {a: 0, b: 1, without: 2};
+export const SLOT = {a: 0, b: 1, without: 2, unit: 3};  // `unit`: what costs are compared with
 const OUTPUTS = ["color", "ao"];
 const NO_SUCH_TARGET = "CV2209";
 const APPLY_AFTER_MS = 250;  // of the last key in an editor
@@ -21,7 +21,7 @@ export class App {
     this.listeners = new Map();
     this.busy = 1;  // until the page has started
     this.a = {config: "", variant: "", show: "color"};
-    this.b = {config: "", variant: "", show: "ao"};  // without a config: A's
+    this.b = {config: "", variant: "", show: "without"};  // without a config: A's
     this.split = {on: false, at: 0.5};
     this.camera = "";
     this.builtin = null;      // the scene's name where it is a built-in one
@@ -212,9 +212,15 @@ export class App {
   setSplit(on, at = this.split.at) {
     const turned = on !== this.split.on;
     this.split = {on, at: Math.min(1, Math.max(0, at))};
-    if (turned) this.refreshB();
+    if (turned) this.openB();
     this.emit("sides");
     this.redraw();
+  }
+  // Beside A's own picture stands another of its pictures, so that there is something to see.
+  openB() {
+    const others = this.choices(this.stateA()).filter(show => show !== this.a.show), {b} = this;
+    if (this.split.on && !b.config && !others.includes(b.show)) b.show = others.includes("without") ? "without" : others[0] ?? b.show;
+    this.refreshB();
   }
   /// What draw() is asked for: {left, right, split}.
   sides() {

@@ -1,66 +1,52 @@
 // SPDX-License-Identifier: MIT
-// What a frame costs here: milliseconds a pass, bytes of textures.
+// What a frame costs here: AO beside that of others, milliseconds a pass, bytes of textures.
 import {SLOT} from "./app.js";
-import {$, add, button, debounce} from "./dom.js";
+import {$, add, button} from "./dom.js";
 import {round} from "./scale.js";
+import {median, ms} from "./timing.js";
 
-const TIME_AFTER_MS = 400;  // of the last change, while the tab is open
-const TIMES = 5;            // the median of so many frames,
-const TIMES_MS = 1000;      // or of those that fit in this time
 const BY = {"gpu timer": "timer queries", processor: "the processor's time", "wall clock": "a clock around each pass"};
-const ms = x => `${x >= 1000 ? Math.round(x) : round(x, 3)} ms`;
 
-export class CostPanel {
-  constructor(app) {
-    this.app = app;
-    const root = $("cost");
-    add(root, "p", {class: "soft"}, app.engine.machine.renderer);
-    button(add(root, "div", {class: "row"}), "Measure passes", () => this.time());
-    this.bars = add(root, "div", {class: "bars", id: "bars"});
-    this.later = debounce(TIME_AFTER_MS, () => this.time());
-    for (const event of ["tab", "loaded", "values", "size"]) app.on(event, () => this.wake());
-  }
-
-  wake() {
-    if (this.app.tab === "cost") this.later();
-  }
-
-  // One at a time: what changes meanwhile is timed afterwards.
-  async time() {
-    const {app} = this;
-    if (this.timing) return void (this.again = true);
-    if (!app.stateA()) return;
-    this.timing = true;
-    const answer = await app.during(() => this.medianTime());
-    this.timing = false;
-    if (answer?.ok) this.show(answer);
-    else if (answer) app.must(() => answer);
-    if (this.again) this.wake();
-    this.again = false;
-  }
-  // The answer of the engine's timed() whose total is the median.
-  async medianTime() {
-    const runs = [], begin = performance.now();
-    while (!runs.length || (runs.length < TIMES && performance.now() - begin < TIMES_MS && !this.again)) {
-      const answer = await this.app.ask(() => this.app.engine.timed(SLOT.a));
-      if (!answer.ok) return answer;
-      runs.push(answer);
-      await new Promise(done => setTimeout(done));
-    }
-    return runs.sort((a, b) => a.total_ms - b.total_ms)[runs.length >> 1];
-  }
-
-  show({passes, total_ms, by}) {
-    const {bars, app} = this, most = Math.max(...passes.map(p => p.ms), 1e-6), plan = app.engine.plan(SLOT.a);
+export function makeCosts(app) {
+  const root = $("cost");
+  add(root, "p", {class: "soft"}, app.engine.machine.renderer);
+  button(add(root, "div", {class: "row"}), "Measure again", () => app.timing.time());
+  const bars = add(root, "div", {class: "bars", id: "bars"});
+  app.on("times", () => {
+    if (app.tab !== "cost") return;
     bars.replaceChildren();
-    add(bars, "p", {}, `${ms(total_ms)} a frame by ${BY[by] ?? by}; ${(plan.texture_bytes / 1e6).toFixed(2)} MB of textures ` +
-      `at ${app.engine.size.join(" × ")}.`);
-    const table = add(bars, "table", {"aria-label": "Milliseconds a pass"});
-    for (const pass of passes) {
-      const line = add(table, "tr");
-      add(line, "th", {scope: "row"}, pass.name);
-      add(add(line, "td", {class: "wide-cell"}), "span", {class: "bar-of", style: `width:${100 * Math.max(0, pass.ms) / most}%`});
-      add(line, "td", {class: "num"}, ms(pass.ms));
-    }
+    showTurns(bars, app.timing.sides);
+    showPasses(app, bars, app.timing.sides[0].runs);
+  });
+}
+
+// AO of each config as multiples of the last one's, turn by turn; grey where the turns of two overlap.
+function showTurns(parent, sides) {
+  const unit = sides.at(-1), table = add(parent, "table", {id: "turns", "aria-label": "AO of configs, timed in turns"});
+  const rows = sides.map(({config, runs, ao_ms}) => {
+    const ratios = runs.map((run, i) => run.ao_ms / (unit.runs[i]?.ao_ms || NaN)).filter(Number.isFinite);
+    return {config, ao_ms, ratio: median(ratios), least: Math.min(...ratios), most: Math.max(...ratios)};
+  });
+  for (const row of rows) {
+    const overlaps = rows.some(other => other !== row && !(other.most < row.least || row.most < other.least));
+    const line = add(table, "tr", {class: overlaps ? "soft" : null, title: overlaps ? "Too close to another to tell them apart" : null});
+    add(line, "th", {scope: "row"}, row.config);
+    add(line, "td", {class: "num"}, "AO " + ms(row.ao_ms));
+    add(line, "td", {class: "num"}, `${round(row.ratio, 2)} of ${unit.config} (${round(row.least, 2)} to ${round(row.most, 2)})`);
+  }
+}
+
+// Medians over the runs.
+function showPasses(app, parent, runs) {
+  const passes = runs[0].passes.map(({name}, i) => ({name, ms: median(runs.map(run => run.passes[i].ms))}));
+  const most = Math.max(...passes.map(p => p.ms), 1e-6), plan = app.engine.plan(SLOT.a);
+  add(parent, "p", {}, `${ms(median(runs.map(run => run.total_ms)))} a frame by ${BY[runs[0].by] ?? runs[0].by}, medians of ` +
+    `${runs.length} turns; ${(plan.texture_bytes / 1e6).toFixed(2)} MB of textures at ${app.engine.size.join(" × ")}.`);
+  const table = add(parent, "table", {id: "passes", "aria-label": "Milliseconds a pass"});
+  for (const pass of passes) {
+    const line = add(table, "tr");
+    add(line, "th", {scope: "row"}, pass.name);
+    add(add(line, "td", {class: "wide-cell"}), "span", {class: "bar-of", style: `width:${100 * Math.max(0, pass.ms) / most}%`});
+    add(line, "td", {class: "num"}, ms(pass.ms));
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that the page shows, as a link: the part after "#" is base64url of deflated JSON, or plain "config=NAME&...".
+// All that the page shows, as a link: the part after "#" is base64url of deflated JSON, or plain "config=NAME&set=PARAM=VALUE&...".
 
 async function through(stream, bytes) {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
@@ -36,7 +36,10 @@ const text = (value, otherwise) => typeof value === "string" ? value : otherwise
 export async function readLink(hash) {
   const body = hash.replace(/^#/, "");
   if (!body) return null;
-  if (/^[a-z]+=/.test(body)) return checked(Object.fromEntries(new URLSearchParams(body)));
+  if (/^[a-z]+=/.test(body)) {
+    const said = new URLSearchParams(body);
+    return {...checked(Object.fromEntries(said)), set: said.getAll("set")};
+  }
   try {
     return checked(await unpack(body));
   } catch {
@@ -55,7 +58,7 @@ function checked(said) {
     show: text(said.show, null),
     split: {
       on: split.on === true, at: Number.isFinite(split.at) ? split.at : 0.5, config: text(split.config, ""),
-      variant: text(split.variant, ""), show: text(split.show, "ao")
+      variant: text(split.variant, ""), show: text(split.show, "without")
     }
   };
 }

@@ -2,7 +2,7 @@
 // The page: opens the engine, draws the first picture, and only then loads the editor.
 import {$, add} from "./dom.js";
 import {App} from "./app.js";
-import {CostPanel} from "./cost_panel.js";
+import {makeCosts} from "./cost_panel.js";
 import {openEngine} from "./engine/engine.js";
 import {readLink} from "./link.js";
 import {Panel} from "./panel.js";
@@ -13,15 +13,16 @@ import {makeScenePanel} from "./scene_panel.js";
 import {makeSplit} from "./split.js";
 import {makeMessage, makeTabs} from "./tabs.js";
 import {Texts} from "./text/texts.js";
+import {Timing} from "./timing.js";
 import {makeToolbar} from "./toolbar.js";
 import {TruthView} from "./truth_view.js";
 import {ViewFiles, openView, viewScene} from "./view_server.js";
 
-const FIRST = {config: "mobile", scene: "street"};
-const SOFTWARE = /swiftshader|llvmpipe|softpipe|software/i;  // then the picture is small
+const FIRST = {config: "mobile", scene: "street", set: ["msaa=4", "ambient=0.5", "intensity=2"]};
 
 function build(app) {
   app.canvas = $("canvas");
+  app.timing = new Timing(app);
   makeMessage(app);
   makeToolbar(app);
   makeScenePanel(app);
@@ -30,7 +31,7 @@ function build(app) {
   app.texts = new Texts(app);
   makePatch(app);
   makePlan(app);
-  new CostPanel(app);
+  makeCosts(app);
   makeSplit(app);
   new PictureInput(app, app.canvas);
   makeTabs(app);
@@ -48,7 +49,7 @@ function show(app, wanted) {
     const scene = scenes.includes(wanted.scene) ? wanted.scene : scenes.includes(FIRST.scene) ? FIRST.scene : scenes[0];
     if (app.builtin !== scene) app.chooseScene(scene);
   }
-  app.chooseSize(wanted.size ?? (SOFTWARE.test(engine.machine.renderer) ? "480x270" : "fit"));
+  app.chooseSize(wanted.size ?? "fit");
   app.setCamera(wanted.camera ?? "");
   if (wanted.camera && !app.resolved()) {
     missing.push(`camera '${wanted.camera}'`);
@@ -60,6 +61,7 @@ function show(app, wanted) {
   const show = {lit: "color"}[wanted.show] ?? wanted.show;
   if (show) app.a.show = show;
   app.chooseConfig(has(wanted.config) ? wanted.config : configs.includes(FIRST.config) ? FIRST.config : configs[0], wanted.variant ?? "");
+  for (const each of wanted.set ?? []) if (!set(app, each)) missing.push(`set '${each}'`);
   if (split?.on) app.setSplit(true, split.at);
   app.emit("sides");
   if (missing.length) app.later = `Not here: ${missing.join(", ")}.`;
@@ -67,23 +69,36 @@ function show(app, wanted) {
   app.later = null;
 }
 
-async function wanted(app, view) {
-  if (view) return fromView(app, view);
-  try {
-    return await readLink(location.hash) ?? {files: {}};
-  } catch (e) {
-    app.later = e.message;
-    return {files: {}};
-  }
+// "PARAM=NUMBER,..." or "FEATURE=WORD", as the command's --set; whether there is such a one.
+function set(app, text) {
+  const [name, value] = text.split("=", 2), has = kind => app.stateA()?.[kind].some(each => each.name === name);
+  const numbers = value?.split(",").map(Number) ?? [];
+  if (value && has("params") && numbers.every(Number.isFinite)) app.knobs.turn("param", name, numbers);
+  else if (value && has("features")) app.knobs.turn("feature", name, value);
+  else return false;
+  return true;
 }
-async function fromView(app, view) {
-  const files = Object.fromEntries(Object.entries(view.files ?? {}).map(([path, {text}]) => [path, text]));
-  const said = {files, config: view.config, variant: view.variant ?? "", camera: view.camera ?? "", scene: view.scene?.builtin ?? null};
-  if (!view.scene?.bytes) return said;
+
+// The link's words go before the command's, whose files stay as they are now.
+async function wanted(app, view) {
+  const link = await readLink(location.hash).catch(e => {
+    app.later = e.message;
+  });
+  if (!view) return link ?? {...FIRST, files: {}};
+  const edited = Object.keys(view.files ?? {}).map(path => [path, app.engine.source(path) ?? view.files[path].text]);
+  const files = {...Object.fromEntries(edited), ...link?.files}, scene = link?.scene;
+  const plain = !link && !edited.length && view.config === FIRST.config && !view.variant;
+  const said = {...link, files, set: plain ? FIRST.set : link?.set, config: link?.config ?? view.config};
+  if (!link?.config) said.variant = link?.variant || view.variant;
+  if (scene) return said;
+  return {...said, camera: link?.camera || view.camera, ...await sceneOf(app, view)};
+}
+async function sceneOf(app, view) {
+  if (!view.scene?.bytes) return {scene: view.scene?.builtin ?? null};
   const answer = app.engine.loadSceneBytes(await viewScene(), view.scene.name);
   if (!answer.ok) throw new Error(answer.diagnostics[0]?.message ?? "The scene cannot be read.");
   app.sceneChanged(null);
-  return {...said, sceneShown: true};
+  return {sceneShown: true};
 }
 
 async function start() {
@@ -100,7 +115,7 @@ async function start() {
   });
   performance.mark("first-picture");
   $("starting").remove();
-  addEventListener("hashchange", () => app.guard(async () => show(app, await wanted(app, null))));
+  addEventListener("hashchange", () => app.guard(async () => show(app, await wanted(app, view))));
   if (view) app.viewFiles = new ViewFiles(app, view, add(document.querySelector(".bar"), "button", {type: "button", id: "save"}, "Save"));
   await app.guard(() => app.texts.start());
   --app.busy;

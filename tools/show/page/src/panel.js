@@ -5,7 +5,7 @@ import {costText} from "./knobs.js";
 import {Param} from "./param.js";
 import {same} from "./scale.js";
 
-const NO_GROUP = "Other";
+const NO_GROUP = "Other", FIRST = ["intensity", "radius"];  // the last of them first
 
 export class Panel {
   constructor(app) {
@@ -36,7 +36,8 @@ export class Panel {
     this.features = [];
     this.buildHead(state);
     const groups = new Map();
-    for (const param of state.params) {
+    const place = param => FIRST.indexOf(param.name);
+    for (const param of [...state.params].sort((a, b) => place(b) - place(a))) {
       const name = param.group || NO_GROUP;
       groups.set(name, [...groups.get(name) ?? [], param]);
     }

@@ -6,7 +6,7 @@ import {shareLink} from "./link.js";
 
 const NAMES = {color: "Lit", ao: "AO", without: "Without AO"};
 const nameOf = show => NAMES[show] ?? show.replace(/^(target|view):/, "");
-const OWN_MODEL = "\u0000own";
+const OWN_MODEL = "\u0000own", OWN_CONFIG = {group: "Yours", words: ""};
 
 export function makeToolbar(app) {
   makeScene(app);
@@ -28,7 +28,7 @@ function makeScene(app) {
   const select = $("scene");
   const show = () => {
     const names = app.engine.builtinScenes().map(value => ({value}));
-    const own = app.builtin || !app.engine.scene ? [] : [{value: OWN_MODEL, text: app.engine.scene.name}];
+    const own = app.builtin || !app.engine.scene ? [] : [{value: OWN_MODEL, text: endOf(app.engine.scene.name), title: app.engine.scene.name}];
     fillSelect(select, [...own, ...names], app.builtin ?? OWN_MODEL);
   };
   select.addEventListener("change", () => {
@@ -38,6 +38,19 @@ function makeScene(app) {
   app.on("scene", show);
 }
 
+// A file's name rather than its folders; of a long one its end.
+const LONGEST_NAME = 26;
+const endOf = path => path.split(/[\\/]/).pop().replace(new RegExp(`^.+(?=.{${LONGEST_NAME - 1}}$)`), "…");
+
+// CONFIGS is that of the documentation's tables, see build.mjs: [{name, words, group}].
+function optionsOf(configs) {
+  const told = new Map(CONFIGS.map(({name}, i) => [name, i])), place = c => told.get(c.name) ?? -1;
+  return [...configs].sort((a, b) => place(a) - place(b)).map(c => {
+    const {words, group} = CONFIGS[place(c)] ?? OWN_CONFIG;
+    return {value: c.name, text: c.name + (words && ` – ${words}`), title: c.description, group};
+  });
+}
+
 function makeSides(app) {
   const [configA, configB, showA, showB] = ["config-a", "config-b", "show-a", "show-b"].map($);
   configA.addEventListener("change", () => app.chooseConfig(configA.value));
@@ -45,8 +58,8 @@ function makeSides(app) {
   showA.addEventListener("change", () => app.setShow("a", showA.value));
   showB.addEventListener("change", () => app.setShow("b", showB.value));
   const showConfigs = () => {
-    const list = app.engine.configs().map(c => ({value: c.name, title: c.description}));
-    if (app.a.config && !list.some(o => o.value === app.a.config)) list.unshift({value: app.a.config});
+    const known = app.engine.configs(), isKnown = !app.a.config || known.some(c => c.name === app.a.config);
+    const list = optionsOf(isKnown ? known : [{name: app.a.config}, ...known]);
     fillSelect(configA, list, app.a.config);
     fillSelect(configB, [{value: "", text: "same as A"}, ...list], app.b.config);
   };
@@ -56,9 +69,13 @@ function makeSides(app) {
     fillSelect(showB, viewsOf(app, app.b.config && own ? own : app.stateA()), app.b.show);
     press($("split"), on);
     $("bar-b").hidden = $("name-b").hidden = !on;
-    $("name-a").textContent = (on ? "A: " : "") + nameOfSide(app, app.a);
-    $("name-b").textContent = "B: " + nameOfSide(app, app.b);
+    showNames();
   };
+  const showNames = () => {
+    $("name-a").textContent = (app.split.on ? "A: " : "") + nameOfSide(app, app.a, SLOT.a);
+    $("name-b").textContent = "B: " + nameOfSide(app, app.b, SLOT.b);
+  };
+  app.on("times", showNames);
   for (const event of ["config", "sides"]) app.on(event, showConfigs);
   for (const event of ["loaded", "loadedB", "sides", "values"]) app.on(event, showViews);
 }
@@ -69,7 +86,8 @@ function viewsOf(app, state) {
   return app.choices(state).map(value => ({value, text: texts[value] ?? nameOf(value), group: group(value)}));
 }
 
-function nameOfSide(app, {config, variant, show}) {
-  if (!config) ({config, variant} = app.a);
-  return `${config}${variant ? ":" + variant : ""} · ${nameOf(show)}`;
+// Without a config B is another picture of A's, which costs nothing of its own.
+function nameOfSide(app, side, slot) {
+  const {config, variant} = app.effective(side), cost = side.config ? app.timing.said(slot, config) + " · " : "";
+  return `${cost}${config}${variant ? ":" + variant : ""} · ${nameOf(side.show)}`;
 }

@@ -39,20 +39,13 @@ export class TruthView {
       app.redraw();
     }});
     fillSelect(rays, RAYS.map(value => ({value})), this.rays);
-    this.bar = add(card, "progress", {max: 1, value: 0, "aria-label": "Rays traced", hidden: ""});
+    this.bar = add(row, "progress", {max: 1, value: 0, "aria-label": "Rays traced", hidden: ""});
     const list = add(card, "dl", {class: "numbers", "aria-live": "off", id: "truth-numbers"});
     this.numbers = Object.fromEntries(["rmse", "bias", "p99"].map(name => {
       add(list, "dt", {}, name);
       return [name, add(list, "dd", {"data-figure": name}, "–")];
     }));
     this.list = list;
-    this.legend = add(card, "p", {class: "legend-line soft"});
-    for (const [color, text] of [["low", "darker than the truth"], ["equal", "equal"], ["high", "brighter"]]) {
-      const pair = add(this.legend, "span");
-      add(pair, "i", {class: "swatch " + color});
-      pair.append(" " + text);
-      this.legend.append("  ");
-    }
   }
 
   turn(on) {
@@ -140,14 +133,17 @@ export class TruthView {
     this.numbers.bias.title = figures ? (figures.bias >= 0 ? "too bright" : "too dark") : "";
     this.numbers.p99.textContent = figures ? figures.p99.toFixed(4) : "–";
     this.hint.textContent = this.on
-      ? `Traced with ${this.rays} rays a pixel within ${shown(radiusOf(this.app))} scene units, A's radius. AO of A minus the truth:`
+      ? `AO of A minus the truth within ${shown(radiusOf(this.app))} scene units, A's radius:`
       : "Press Truth: the view is ray-traced here, and AO is compared with it.";
   }
 
   drawOverlay() {
     const {app, overlay} = this, [w, h] = app.engine.size;
-    overlay.hidden = !this.on || this.stale || !this.image;
+    overlay.hidden = !this.on || this.stale || !this.image || !this.figures;
     if (overlay.hidden) return;
+    const [low, high] = $("scale").querySelectorAll("span"), {range} = this.figures;
+    low.textContent = `−${range} too dark`;
+    high.textContent = `too bright +${range}`;
     const picture = app.guard(() => app.engine.heat(0, this.image));
     if (!picture) return;
     if (overlay.width !== w || overlay.height !== h) Object.assign(overlay, {width: w, height: h});
