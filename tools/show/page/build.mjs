@@ -10,21 +10,19 @@ if (!modules) throw new Error("build.mjs: name the folder to build into, and nod
 const {build} = createRequire(join(modules, "index.js"))("esbuild");
 
 // Order and words of the shipped configs: those of the documentation's tables, by the heading of their second column.
-const GROUPS = {"take it for": "Presets", "what it is": "Methods", author: "Authors"}, configs = new Map();
-let group = null;
-for (const line of ["which_config", "reference/methods"].flatMap(page =>
-  readFileSync(join(here, `../../../docs/${page}.md`), "utf8").split("\n"))) {
-  const [, first, second] = line.split(/ *\| */), name = /^`(\w+)(=\w+)?`$/.exec(first)?.[1];
-  if (first === "config") group = GROUPS[second];
-  const words = second?.replace(/\[([^\]]*)\]\([^)]*\)|[*`]/g, "$1");
-  if (name && group && !configs.has(name)) configs.set(name, {name, words, group});
-}
+const GROUPS = {"take it for": "Presets", "what it is": "Methods", author: "Authors"}, configs = [];
+const pages = ["which_config", "reference/methods"].map(name => readFileSync(join(here, `../../../docs/${name}.md`), "utf8"));
+let group;
+for (const [, name, second] of pages.join("\n").matchAll(/^\| (?:config|`(\w+)(?:=\w+)?`) \| ([^|]*) \|/gm))
+  if (!name) group = GROUPS[second];
+  else if (!configs.some(each => each.name === name))
+    configs.push({name, group, words: second.replace(/\[([^\]]*)\]\([^)]*\)|[*`]/g, "$1")});
 
 mkdirSync(folder, {recursive: true});
 await build({
   entryPoints: {page: join(here, "src/main.js"), trace_worker: join(here, "src/engine/trace_worker.js")},
   outdir: folder, bundle: true, splitting: true, format: "esm", minify: true, target: "es2022", legalComments: "none",
   chunkNames: "[name]-[hash]", external: ["./crevice_page.js", "node:fs", "node:path"], loader: {".frag": "text", ".json": "json"},
-  nodePaths: [modules], logLevel: "warning", define: {CONFIGS: JSON.stringify([...configs.values()])}
+  nodePaths: [modules], logLevel: "warning", define: {CONFIGS: JSON.stringify(configs)}
 });
 for (const name of ["index.html", "page.css"]) copyFileSync(join(here, name), join(folder, name));

@@ -44,9 +44,9 @@ Side sideOf(const Json& json) { return {json.value("slot", 0), json.value("show"
 const char* methodOf(TimingMethod method)
 {
     switch (method) {
-    case TimingMethod::gpu_timer: return "gpu timer";
-    case TimingMethod::processor_time: return "processor";
-    default: return "wall clock";
+    case TimingMethod::gpu_timer: return "timer queries";
+    case TimingMethod::processor_time: return "the processor's time";
+    default: return "a clock around each pass";
     }
 }
 

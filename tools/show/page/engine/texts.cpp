@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace crevice::page {
 namespace {
 
@@ -25,17 +23,11 @@ std::string descriptionOf(const SourceSet& sources, const std::string& name)
 
 Texts::Texts() : all_({&edits_, &shippedSources()}) {}
 
-void Texts::set(const std::string& path, std::string text)
-{
-    edits_.add(path, std::move(text));
-    if (std::find(paths_.begin(), paths_.end(), path) == paths_.end()) paths_.push_back(path);
-}
-
 void Texts::reset(const std::string& path)
 {
-    paths_.erase(std::remove(paths_.begin(), paths_.end(), path), paths_.end());
     MemorySources kept;
-    for (const std::string& each : paths_) kept.add(each, edits_.find(each)->text);
+    for (const std::string& each : edits_.list())
+        if (each != path) kept.add(each, edits_.find(each)->text);
     edits_ = std::move(kept);
 }
 

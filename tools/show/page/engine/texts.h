@@ -18,7 +18,7 @@ public:
     const SourceSet& sources() const { return all_; }
 
     /// Puts a text over the shipped one of that path, or beside the shipped ones.
-    void set(const std::string& path, std::string text);
+    void set(const std::string& path, std::string text) { edits_.add(path, std::move(text)); }
 
     /// Takes it away again.
     void reset(const std::string& path);
@@ -32,7 +32,6 @@ public:
 private:
     MemorySources edits_;
     LayeredSources all_;
-    std::vector<std::string> paths_;  // of edits_
 };
 
 }  // namespace crevice::page

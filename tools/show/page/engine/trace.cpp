@@ -1,52 +1,60 @@
 // SPDX-License-Identifier: MIT
-// Ray tracing in a worker, and its exports.
-#include "tools/show/page/engine/trace.h"
-
+// Ray tracing in a worker of the page: a scene and a camera in, rows of visibility out.
 #include "tools/measure/reference/bvh_scene.h"
+#include "tools/measure/reference/progressive_trace.h"
+#include "tools/measure/reference/ray_scene.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene/scene_bytes.h"
 #include "tools/show/page/engine/answers.h"
 
 #include <glm/matrix.hpp>
 
+#include <memory>
+#include <optional>
+
 namespace crevice::page {
 namespace {
 
-Trace trace;
-std::vector<float> row;
+struct Trace {
+    std::optional<ProgressiveTrace> progress;  // of the tree
+    std::unique_ptr<RayScene> tree;
+    Scene scene;
+    Bounds bounds;
+    std::vector<float> row;
+} trace;
 
-}  // namespace
-
-Status Trace::setScene(std::string_view bytes)
+/// Builds the tree for the camera's eye and begins anew. Errors: those of chooseCamera and
+/// ProgressiveTrace::begin.
+Status begin(const std::string& text, Extent extent, const TraceOptions& options)
 {
-    progress_.reset();
-    tree_.reset();
-    Result<Scene> scene = sceneFromBytes(bytes);
-    if (!scene) return scene.diagnostics();
-    scene_ = std::move(*scene);
-    bounds_ = scene_.bounds();
-    return {};
-}
-
-Status Trace::begin(const std::string& text, Extent extent, const TraceOptions& options)
-{
-    progress_.reset();
+    trace.progress.reset();
     const double aspect = double(extent.width) / extent.height;
-    const Result<SceneCamera> chosen = chooseCamera(scene_, bounds_, text, aspect);
+    const Result<SceneCamera> chosen = chooseCamera(trace.scene, trace.bounds, text, aspect);
     if (!chosen) return chosen.diagnostics();
     Camera camera;
     camera.view_from_world = chosen->view_from_world;
-    camera.clip_from_view = clipFromView(*chosen, extent, bounds_);
-    if (!tree_) tree_ = makeBvhScene(scene_, glm::inverse(camera.view_from_world)[3]);
-    Result<ProgressiveTrace> progress = ProgressiveTrace::begin(*tree_, camera, extent, options);
+    camera.clip_from_view = clipFromView(*chosen, extent, trace.bounds);
+    if (!trace.tree)
+        trace.tree = makeBvhScene(trace.scene, glm::inverse(camera.view_from_world)[3]);
+    Result<ProgressiveTrace> progress =
+        ProgressiveTrace::begin(*trace.tree, camera, extent, options);
     if (!progress) return progress.diagnostics();
-    progress_.emplace(std::move(*progress));
+    trace.progress.emplace(std::move(*progress));
     return {};
 }
 
+}  // namespace
+
+/// Takes the scene, as sceneBytes has it.
 EXPORT const char* page_trace_scene(const char* data, int size)
 {
-    return say(answer(trace.setScene({data, static_cast<std::size_t>(size)})));
+    trace.progress.reset();
+    trace.tree.reset();
+    Result<Scene> scene = sceneFromBytes({data, static_cast<std::size_t>(size)});
+    if (!scene) return say(answer(scene));
+    trace.bounds = scene->bounds();
+    trace.scene = std::move(*scene);
+    return say(answer(Status()));
 }
 
 /// Adds "passes".
@@ -56,18 +64,18 @@ EXPORT const char* page_trace_begin(const char* camera, int width, int height, d
     TraceOptions options;
     options.radius = radius;
     options.rays = rays;
-    Json json = answer(trace.begin(camera, {width, height}, options));
-    if (json["ok"]) json["passes"] = trace.progress().passes();
+    Json json = answer(begin(camera, {width, height}, options));
+    if (json["ok"]) json["passes"] = trace.progress->passes();
     return say(json);
 }
 
 /// Traces a pass of a row, counted from the bottom; gives the row's visibilities so far.
 EXPORT const float* page_trace_row(int pass, int y)
 {
-    trace.progress().traceRow(pass, y);
-    row.resize(static_cast<std::size_t>(trace.progress().extent().width));
-    trace.progress().readRow(y, row.data());
-    return row.data();
+    trace.progress->traceRow(pass, y);
+    trace.row.resize(static_cast<std::size_t>(trace.progress->extent().width));
+    trace.progress->readRow(y, trace.row.data());
+    return trace.row.data();
 }
 
 }  // namespace crevice::page

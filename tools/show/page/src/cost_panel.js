@@ -5,12 +5,10 @@ import {$, add, button} from "./dom.js";
 import {round} from "./scale.js";
 import {median, ms} from "./timing.js";
 
-const BY = {"gpu timer": "timer queries", processor: "the processor's time", "wall clock": "a clock around each pass"};
-
 export function makeCosts(app) {
   const root = $("cost");
   add(root, "p", {class: "soft"}, app.engine.machine.renderer);
-  button(add(root, "div", {class: "row"}), "Measure again", () => app.timing.time());
+  button(root, "Measure again", () => app.timing.time());
   const bars = add(root, "div", {class: "bars", id: "bars"});
   app.on("times", () => {
     if (app.tab !== "cost") return;
@@ -40,7 +38,7 @@ function showTurns(parent, sides) {
 function showPasses(app, parent, runs) {
   const passes = runs[0].passes.map(({name}, i) => ({name, ms: median(runs.map(run => run.passes[i].ms))}));
   const most = Math.max(...passes.map(p => p.ms), 1e-6), plan = app.engine.plan(SLOT.a);
-  add(parent, "p", {}, `${ms(median(runs.map(run => run.total_ms)))} a frame by ${BY[runs[0].by] ?? runs[0].by}, medians of ` +
+  add(parent, "p", {}, `${ms(median(runs.map(run => run.total_ms)))} a frame by ${runs[0].by}, medians of ` +
     `${runs.length} turns; ${(plan.texture_bytes / 1e6).toFixed(2)} MB of textures at ${app.engine.size.join(" × ")}.`);
   const table = add(parent, "table", {id: "passes", "aria-label": "Milliseconds a pass"});
   for (const pass of passes) {

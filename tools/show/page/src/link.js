@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that the page shows, as a link: the part after "#" is base64url of deflated JSON, or plain "config=NAME&set=PARAM=VALUE&...".
+// All that the page shows, as a link: the part after "#" is base64url of deflated JSON, or plain "config=NAME&...".
 
 async function through(stream, bytes) {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
@@ -36,10 +36,7 @@ const text = (value, otherwise) => typeof value === "string" ? value : otherwise
 export async function readLink(hash) {
   const body = hash.replace(/^#/, "");
   if (!body) return null;
-  if (/^[a-z]+=/.test(body)) {
-    const said = new URLSearchParams(body);
-    return {...checked(Object.fromEntries(said)), set: said.getAll("set")};
-  }
+  if (/^[a-z]+=/.test(body)) return checked(Object.fromEntries(new URLSearchParams(body)));
   try {
     return checked(await unpack(body));
   } catch {

@@ -18,7 +18,7 @@ import {makeToolbar} from "./toolbar.js";
 import {TruthView} from "./truth_view.js";
 import {ViewFiles, openView, viewScene} from "./view_server.js";
 
-const FIRST = {config: "mobile", scene: "street", set: ["msaa=4", "ambient=0.5", "intensity=2"]};
+const FIRST = {config: "mobile", scene: "street", params: {msaa: 4, ambient: 0.5, intensity: 2}};
 
 function build(app) {
   app.canvas = $("canvas");
@@ -39,14 +39,14 @@ function build(app) {
 
 // Brings the page to what a link or the command says; what cannot be had is the first of its kind.
 function show(app, wanted) {
-  const {engine} = app, configs = engine.configs().map(c => c.name), scenes = engine.builtinScenes();
+  const {engine} = app, scenes = engine.builtinScenes();
   for (const path of engine.editedPaths()) if (!(path in wanted.files)) engine.setSource(path, null);
   for (const [path, text] of Object.entries(wanted.files)) engine.setSource(path, text);
   const missing = [], has = name => name && engine.source(app.path(name)) !== null;
   if (wanted.config && !has(wanted.config)) missing.push(`config '${wanted.config}'`);
   if (wanted.scene && !scenes.includes(wanted.scene)) missing.push(`scene '${wanted.scene}'`);
   if (!wanted.sceneShown) {
-    const scene = scenes.includes(wanted.scene) ? wanted.scene : scenes.includes(FIRST.scene) ? FIRST.scene : scenes[0];
+    const scene = scenes.includes(wanted.scene) ? wanted.scene : FIRST.scene;
     if (app.builtin !== scene) app.chooseScene(scene);
   }
   app.chooseSize(wanted.size ?? "fit");
@@ -60,8 +60,8 @@ function show(app, wanted) {
   app.b = split ? {config: has(split.config) ? split.config : "", variant: split.variant, show: split.show} : app.b;
   const show = {lit: "color"}[wanted.show] ?? wanted.show;
   if (show) app.a.show = show;
-  app.chooseConfig(has(wanted.config) ? wanted.config : configs.includes(FIRST.config) ? FIRST.config : configs[0], wanted.variant ?? "");
-  for (const each of wanted.set ?? []) if (!set(app, each)) missing.push(`set '${each}'`);
+  app.chooseConfig(has(wanted.config) ? wanted.config : FIRST.config, wanted.variant ?? "");
+  for (const [name, value] of Object.entries(wanted.params ?? {})) app.knobs.turn("param", name, [value]);
   if (split?.on) app.setSplit(true, split.at);
   app.emit("sides");
   if (missing.length) app.later = `Not here: ${missing.join(", ")}.`;
@@ -69,29 +69,17 @@ function show(app, wanted) {
   app.later = null;
 }
 
-// "PARAM=NUMBER,..." or "FEATURE=WORD", as the command's --set; whether there is such a one.
-function set(app, text) {
-  const [name, value] = text.split("=", 2), has = kind => app.stateA()?.[kind].some(each => each.name === name);
-  const numbers = value?.split(",").map(Number) ?? [];
-  if (value && has("params") && numbers.every(Number.isFinite)) app.knobs.turn("param", name, numbers);
-  else if (value && has("features")) app.knobs.turn("feature", name, value);
-  else return false;
-  return true;
-}
-
-// The link's words go before the command's, whose files stay as they are now.
+// The link's words go before the command's, whose files stay as they are edited.
 async function wanted(app, view) {
   const link = await readLink(location.hash).catch(e => {
     app.later = e.message;
   });
   if (!view) return link ?? {...FIRST, files: {}};
-  const edited = Object.keys(view.files ?? {}).map(path => [path, app.engine.source(path) ?? view.files[path].text]);
-  const files = {...Object.fromEntries(edited), ...link?.files}, scene = link?.scene;
-  const plain = !link && !edited.length && view.config === FIRST.config && !view.variant;
-  const said = {...link, files, set: plain ? FIRST.set : link?.set, config: link?.config ?? view.config};
-  if (!link?.config) said.variant = link?.variant || view.variant;
-  if (scene) return said;
-  return {...said, camera: link?.camera || view.camera, ...await sceneOf(app, view)};
+  const own = Object.entries(view.files ?? {}).map(([path, {text}]) => [path, app.viewFiles ? app.engine.source(path) : text]);
+  const said = {...link, files: {...Object.fromEntries(own), ...link?.files}};
+  if (!said.config) Object.assign(said, {config: view.config, variant: said.variant || view.variant});
+  if (!link && !own.length && view.config === FIRST.config) said.params = FIRST.params;
+  return said.scene ? said : {...said, camera: said.camera || view.camera, ...await sceneOf(app, view)};
 }
 async function sceneOf(app, view) {
   if (!view.scene?.bytes) return {scene: view.scene?.builtin ?? null};

@@ -43,10 +43,9 @@ function makeSize(app, row) {
     const size = /^\d{2,4}x\d{2,4}$/.test(choice) ? choice.split("x").map(Number) : null;
     return size && size[0] >= 16 && size[1] >= 16 ? size : null;
   };
-  app.sizeOf = choice => said(choice) ?? fit();
   app.chooseSize = choice => {
     app.sizeChoice = said(choice) ? choice : "fit";
-    app.setSize(app.sizeOf(choice));
+    app.setSize(said(choice) ?? fit());
     app.emit("size");
   };
   const fitLater = debounce(200, () => app.sizeChoice === "fit" && app.started && app.setSize(fit()));

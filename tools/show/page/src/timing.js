@@ -8,7 +8,6 @@ const UNIT = "learnopengl";  // whose AO is the unit of costs, as in `crevice be
 const TIME_AFTER_MS = 400;   // of the last frame
 const ROUNDS = 5;            // of turns,
 const ROUNDS_MS = 1000;      // or as many as fit in this time
-const TRIES = 4;             // where the GPU's timer is disturbed
 
 export const ms = x => `${x >= 1000 ? Math.round(x) : round(x, 3)} ms`;
 export const median = values => [...values].sort((a, b) => a - b)[values.length >> 1];
@@ -17,57 +16,50 @@ export const median = values => [...values].sort((a, b) => a - b)[values.length 
 export function occlusionMs(plan, passes) {
   const target = plan.outputs.find(output => output.name === "ao")?.target;
   const last = plan.targets.find(each => each.name === target)?.first_pass ?? -1;
-  return passes.reduce((sum, pass, i) => sum + (i <= last && plan.passes[i].type !== "draw" ? pass.ms : 0), 0);
+  return passes.reduce((sum, pass, i) => sum + (i <= last && plan.passes[i]?.type !== "draw" ? pass.ms : 0), 0);
 }
 
 export class Timing {
   constructor(app) {
     Object.assign(this, {app, sides: [], frames: 0});
     this.later = debounce(TIME_AFTER_MS, () => app.guard(() => this.time()));
-    app.on("drawn", () => {
-      ++this.frames;
-      this.tries = TRIES;
-    });
+    app.on("drawn", () => ++this.frames);
     for (const event of ["drawn", "tab"]) app.on(event, () => this.later());
   }
 
   /// Leaves in `sides` what each config took, and emits "times". What is drawn meanwhile is timed afterwards.
   async time() {
     const {app, frames} = this;
-    if (this.timing || !app.stateA() || app.drawing.failed) return;
-    this.timing = true;
-    const sides = this.listed(), begin = performance.now();
-    try {
-      for (let turn = 0; turn < ROUNDS && (!turn || performance.now() - begin < ROUNDS_MS); ++turn) {
-        const runs = await this.turn(sides, frames);
-        if (!runs) return;
-        if (runs.every(run => run.total_ms >= 0)) runs.forEach((run, i) => sides[i].runs.push(run));  // else disturbed
-      }
-    } finally {
-      this.timing = false;
-      if (frames !== this.frames) this.later();
-    }
-    if (!sides[0].runs.length) return void (--this.tries > 0 && this.later());
+    if (this.timing) return void (this.again = true);
+    if (!app.stateA() || app.drawing.failed) return;
+    Object.assign(this, {timing: true, again: false});
+    const sides = this.listed(), begin = performance.now(), {runs} = sides[0];
+    const changed = () => frames !== this.frames || app.drawing.isPending();
+    for (let turn = 0; turn < ROUNDS && !changed() && (!runs.length || performance.now() - begin < ROUNDS_MS); ++turn)
+      await this.takeTurn(sides);
+    this.timing = false;
+    if (this.again) this.later();
+    if (changed() || !runs.length) return;
     this.sides = sides.map(side => ({...side, ao_ms: median(side.runs.map(run => run.ao_ms))}));
     app.emit("times");
   }
-  // A run of each; null where something was drawn meanwhile, or cannot be timed.
-  async turn(sides, frames) {
+  // A run of each, or of none where the GPU's timer is disturbed.
+  async takeTurn(sides) {
     const {app} = this, runs = [];
     for (const {slot} of sides) {
       const answer = await app.engine.timed(slot);
-      await new Promise(done => setTimeout(done));
-      if (frames !== this.frames || !app.must(() => answer).ok) return null;
+      if (!app.must(() => answer).ok || answer.total_ms < 0) return;
       runs.push({...answer, ao_ms: occlusionMs(app.engine.plan(slot), answer.passes)});
+      await new Promise(done => setTimeout(done));
     }
-    return runs;
+    runs.forEach((run, i) => sides[i].runs.push(run));
   }
   listed() {
-    const {app} = this, sides = [{slot: SLOT.a, config: app.a.config, runs: []}];
-    if (app.needsB() && app.b.config) sides.push({slot: SLOT.b, config: app.b.config, runs: []});
+    const {app} = this, sides = [{slot: SLOT.a, config: app.a.config}];
+    if (app.needsB() && app.b.config) sides.push({slot: SLOT.b, config: app.b.config});
     if (app.tab === "cost" && app.ask(() => app.engine.load(SLOT.unit, {config: UNIT, outputs: ["ao"]})).ok)
-      sides.push({slot: SLOT.unit, config: UNIT, runs: []});
-    return sides;
+      sides.push({slot: SLOT.unit, config: UNIT});
+    return sides.map(side => ({...side, runs: []}));
   }
 
   /// "AO 1.8 ms" of a slot, once that config is timed.

@@ -6,7 +6,7 @@ import {shareLink} from "./link.js";
 
 const NAMES = {color: "Lit", ao: "AO", without: "Without AO"};
 const nameOf = show => NAMES[show] ?? show.replace(/^(target|view):/, "");
-const OWN_MODEL = "\u0000own", OWN_CONFIG = {group: "Yours", words: ""};
+const OWN_MODEL = "\u0000own";
 
 export function makeToolbar(app) {
   makeScene(app);
@@ -38,16 +38,15 @@ function makeScene(app) {
   app.on("scene", show);
 }
 
-// A file's name rather than its folders; of a long one its end.
-const LONGEST_NAME = 26;
-const endOf = path => path.split(/[\\/]/).pop().replace(new RegExp(`^.+(?=.{${LONGEST_NAME - 1}}$)`), "…");
+// A file's name without its folders; of a long one its end.
+const endOf = path => path.split("/").pop().replace(/^.+(?=.{25}$)/, "…");
 
 // CONFIGS is that of the documentation's tables, see build.mjs: [{name, words, group}].
 function optionsOf(configs) {
-  const told = new Map(CONFIGS.map(({name}, i) => [name, i])), place = c => told.get(c.name) ?? -1;
+  const place = c => CONFIGS.findIndex(each => each.name === c.name);
   return [...configs].sort((a, b) => place(a) - place(b)).map(c => {
-    const {words, group} = CONFIGS[place(c)] ?? OWN_CONFIG;
-    return {value: c.name, text: c.name + (words && ` – ${words}`), title: c.description, group};
+    const {words, group} = CONFIGS[place(c)] ?? {group: "Yours"};
+    return {value: c.name, text: c.name + (words ? ` – ${words}` : ""), title: c.description, group};
   });
 }
 

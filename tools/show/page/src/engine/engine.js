@@ -5,14 +5,14 @@
 // and columns count from 1, columns in bytes; `file` is the path of a source, such as "configs/mobile.json".
 import displayConfig from './display.json';
 import displayShader from './display.frag';
-import {loadModule} from './engine_module.js';
+import createModule from './crevice_page.js';
 
 const TIMED_FRAMES = 60;  // within which a browser has the time of one on the GPU,
 const TIMED_MS = 3000;    // or within this time
 
 /// Compiles the library and opens it on a canvas, whose size it takes. Throws an Error with a sentence for the user.
 export async function openEngine(canvas) {
-  const module = await loadModule();
+  const module = await createModule();
   const engine = new Engine(module, canvas);
   engine.open();
   return engine;

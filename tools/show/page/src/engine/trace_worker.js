@@ -3,11 +3,11 @@
 //
 // In:  {scene: bytes}, {job, camera, width, height, radius, rays, first, step}, {cancel: job}
 // Out: {job, passes}, {job, pass, rows: [y...], values: Float32Array}, {job, done: true}, {job, error}
-import {loadModule} from './engine_module.js';
+import createModule from './crevice_page.js';
 
 const SLICE_MS = 30;  // between looks at the messages that came
 
-const ready = loadModule().then(module => ({
+const ready = createModule().then(module => ({
   module,
   setScene: module.cwrap('page_trace_scene', 'string', ['number', 'number']),
   begin: module.cwrap('page_trace_begin', 'string', ['string', 'number', 'number', 'number', 'number']),

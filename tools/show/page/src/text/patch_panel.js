@@ -17,6 +17,7 @@ export function makePatch(app) {
   button(row, "Share as a link", e => app.during(() => share(app, e.target)));
   const note = add(root, "p", {class: "soft"}), text = add(root, "pre", {id: "patch-text", tabindex: 0, "aria-label": "The patch"});
   const showCommand = makeCommand(app, root, "Copy the command of the patch");
+  const nameIn = json => /^\s*{[^{}]*"name"\s*:\s*"([\w-]+)"/.exec(json)?.[1];
   const fileName = () => `${nameIn(text.textContent) ?? app.a.config + "_mine"}.json`;
   const show = () => {
     if (app.tab !== "patch" || !app.stateA()) return;
@@ -29,13 +30,4 @@ export function makePatch(app) {
   const later = debounce(100, show);
   app.on("tab", show);
   for (const event of ["loaded", "values", "camera", "size", "scene", "sides"]) app.on(event, later);
-}
-
-function nameIn(text) {
-  try {
-    const {name} = JSON.parse(text);
-    return /^[\w-]+$/.test(name) ? name : null;
-  } catch {
-    return null;
-  }
 }
