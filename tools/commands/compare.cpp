@@ -62,9 +62,8 @@ Result<double> parseThreshold(const std::string& text)
         CLI::detail::lexical_cast(text.substr(0, slash), value) &&
         (slash == std::string::npos || CLI::detail::lexical_cast(text.substr(slash + 1), divisor));
     if (ok && value >= 0.0 && divisor > 0.0) return value / divisor;
-    Diagnostic error{Code::usage, "--max-abs '" + text + "' is not a number of at least 0"};
-    error.help = "write --max-abs 0.05 or --max-abs 2/255";
-    return error;
+    return Diagnostic{Code::usage, "--max-abs '" + text + "' is not a number of at least 0",
+                      "write --max-abs 0.05 or --max-abs 2/255"};
 }
 
 /// CLI11's own checks let "nan" through, a limit that nothing breaks.
@@ -137,11 +136,10 @@ void printFiguresJson(const ImageDifference& figures, double threshold,
 Status checkCompared(const ImageDifference& figures)
 {
     if (figures.pixels > 0) return {};
-    Diagnostic error{Code::image_broken,
-                     "no pixel is left to compare: " + std::to_string(figures.masked) +
-                         " are masked, " + std::to_string(figures.non_finite) + " are not finite"};
-    error.help = "masked is where the ground truth is not finite or the --mask is 0";
-    return error;
+    return Diagnostic{Code::image_broken,
+                      "no pixel is left to compare: " + std::to_string(figures.masked) +
+                          " are masked, " + std::to_string(figures.non_finite) + " are not finite",
+                      "masked is where the ground truth is not finite or the --mask is 0"};
 }
 
 Status writeDifference(const CompareOptions& options, const Images& images)

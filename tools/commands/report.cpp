@@ -30,11 +30,10 @@ struct ReportOptions {
 int makeReport(const ReportOptions& options)
 {
     std::filesystem::path path = options.out;
-    if (path.extension() != ".html") {
-        Diagnostic error{Code::usage, "--out '" + options.out + "' does not end in .html"};
-        error.help = "a .csv of the same name is written beside it";
-        return report({error}, false);
-    }
+    if (path.extension() != ".html")
+        return report({{Code::usage, "--out '" + options.out + "' does not end in .html",
+                        "a .csv of the same name is written beside it"}},
+                      false);
     const Status writable = checkWritable(options.out);
     if (!writable) return report(writable.diagnostics(), false);
     const Result<std::vector<BenchSample>> samples = readBenchSamples(options.results);

@@ -55,9 +55,8 @@ Result<double> timeBudgetOf(const RunOptions& options)
     const double factor = unit == "" || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
     const double seconds = number * factor;
     if (seconds > 0.0 && std::isfinite(seconds)) return seconds;
-    Diagnostic error{Code::usage, "'" + options.time_budget + "' is not a length of time above 0"};
-    error.help = "write --time-budget 90s, 5m or 1.5h";
-    return error;
+    return Diagnostic{Code::usage, "'" + options.time_budget + "' is not a length of time above 0",
+                      "write --time-budget 90s, 5m or 1.5h"};
 }
 
 MeasureSummary measureOnConsole(const MeasureJob& job, LineFile& file, double time_budget_s,

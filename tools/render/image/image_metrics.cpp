@@ -34,10 +34,10 @@ Status checkSizes(const Image& test, const Image& ground_truth, const Image* mas
                        : mask && mask->extent != ground_truth.extent ? mask
                                                                      : nullptr;
     if (!odd) return {};
-    Diagnostic error = {Code::image_size, "the images differ in size: " + sizeName(*odd) + " and " +
-                                              sizeName(ground_truth)};
-    error.help = "render both at the same --size";
-    return error;
+    return Diagnostic{
+        Code::image_size,
+        "the images differ in size: " + sizeName(*odd) + " and " + sizeName(ground_truth),
+        "render both at the same --size"};
 }
 
 // By colour, so that alpha does not make black count.
@@ -49,19 +49,16 @@ bool admits(const Image& mask, int x, int y)
     return false;
 }
 
-bool masked(const Image& ground_truth, const Image* mask, int x, int y, int channels)
-{
-    if (mask && !admits(*mask, x, y)) return true;
-    for (int channel = 0; channel < channels; ++channel)
-        if (!std::isfinite(ground_truth.at(x, y, channel))) return true;
-    return false;
-}
-
 bool finitePixel(const Image& image, int x, int y, int channels)
 {
     for (int channel = 0; channel < channels; ++channel)
         if (!std::isfinite(image.at(x, y, channel))) return false;
     return true;
+}
+
+bool masked(const Image& ground_truth, const Image* mask, int x, int y, int channels)
+{
+    return (mask && !admits(*mask, x, y)) || !finitePixel(ground_truth, x, y, channels);
 }
 
 Pairs collectPairs(const Image& test, const Image& ground_truth, const Image* mask,
@@ -153,8 +150,10 @@ void setPixel(Image& image, int x, int y, float red, float green, float blue)
     image.at(x, y, 2) = blue;
 }
 
-Result<ImageDifference> compare(const Image& test, const Image& ground_truth, const Image* mask,
-                                double threshold, bool fit)
+}  // namespace
+
+Result<ImageDifference> compareImages(const Image& test, const Image& ground_truth,
+                                      const Image* mask, double threshold, bool fit)
 {
     if (const Status status = checkSizes(test, ground_truth, mask); !status)
         return status.diagnostics();
@@ -164,20 +163,6 @@ Result<ImageDifference> compare(const Image& test, const Image& ground_truth, co
     addErrors(pairs, threshold, figures);
     if (fit) fitPower(pairs, figures);
     return figures;
-}
-
-}  // namespace
-
-Result<ImageDifference> compareImages(const Image& test, const Image& ground_truth,
-                                      const Image* mask, double threshold)
-{
-    return compare(test, ground_truth, mask, threshold, true);
-}
-
-Result<ImageDifference> compareUnfitted(const Image& test, const Image& ground_truth,
-                                        const Image* mask, double threshold)
-{
-    return compare(test, ground_truth, mask, threshold, false);
 }
 
 Result<Image> differencePicture(const Image& test, const Image& ground_truth, const Image* mask,

@@ -24,15 +24,12 @@ struct ImageDifference {
 
 /// Compares channel by channel: a pixel of n channels counts n times, and the least number of
 /// channels of both images is used. With a `mask` only pixels count where any of its colours is
-/// above 0.
+/// above 0. Without `fit` there are no rmse_fit and power_fit, which take most of the time.
 ///
 /// Errors: CV7006 when the sizes differ, CV7005 for images without pixels.
 Result<ImageDifference> compareImages(const Image& test, const Image& ground_truth,
-                                      const Image* mask = nullptr, double threshold = 0.05);
-
-/// The same without rmse_fit and power_fit, which take most of the time.
-Result<ImageDifference> compareUnfitted(const Image& test, const Image& ground_truth,
-                                        const Image* mask = nullptr, double threshold = 0.05);
+                                      const Image* mask = nullptr, double threshold = 0.05,
+                                      bool fit = true);
 
 /// (test - ground truth) of the first channel as a picture: white is equal, blue is darker than the
 /// ground truth, red is brighter, full colour at `range`; masked pixels are grey, broken ones

@@ -247,7 +247,7 @@ EXPORT const char* page_compare(int slot, const float* truth, std::uint8_t* heat
     if (!ao) return say(answer(ao));
     Image ground_truth(engine.extent(), 1);
     std::copy(truth, truth + ground_truth.pixels.size(), ground_truth.pixels.begin());
-    const Result<ImageDifference> figures = compareUnfitted(*ao, ground_truth);
+    const auto figures = compareImages(*ao, ground_truth, nullptr, 0.05, false);
     Json json = answer(figures);
     if (!figures) return say(json);
     json.update({{"rmse", figures->rmse},
