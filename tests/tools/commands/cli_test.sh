@@ -27,7 +27,7 @@ expect 2 'CV8001' compare a.png
 expect 2 'CV8001.*--max-abs' compare a.png b.png --max-abs two
 
 # --- validate ---
-expect 0 'learnopengl: ok \([0-9]+ passes\)' validate --all
+expect 0 'learnopengl: ok \([0-9]+ passes' validate --all
 expect 0 '"ok": true' validate learnopengl --json
 expect 0 'thesis variant ambient_only: ok' validate thesis --variant ambient_only
 printf '%s' '{"format": 1, "extends": ["learnopengl"], "variants": {"low": {"parms": {}}}}' >variant.json

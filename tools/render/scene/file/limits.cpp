@@ -2,10 +2,12 @@
 // A part that any file may take, and another for each of its bytes.
 #include "tools/render/scene/file/limits.h"
 
+#include "core/base/numbers.h"
+
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 
 namespace crevice {
 namespace {
@@ -24,13 +26,6 @@ constexpr double kMemoryPerByte = 64;
 
 // A reader that waits for a disk and does not work.
 constexpr double kLongestWait = 600;  // s
-
-std::string countText(double count)
-{
-    char text[32];
-    std::snprintf(text, sizeof(text), count < 1e15 ? "%.0f" : "%.3g", count);
-    return text;
-}
 
 }  // namespace
 
@@ -61,9 +56,10 @@ ChildLimits readerLimits(std::uint64_t bytes, const ImportOptions& options)
 Diagnostic overLimit(const std::string& path, const std::string& what, double count, double limit,
                      std::uint64_t bytes)
 {
-    Diagnostic error = {Code::scene_broken, "the scene '" + path + "' has " + countText(count) +
-                                                " " + what + ", and " + std::to_string(bytes) +
-                                                " bytes of files may have " + countText(limit)};
+    Diagnostic error = {Code::scene_broken,
+                        "the scene '" + path + "' has " + significant(count, 15) + " " + what +
+                            ", and " + std::to_string(bytes) + " bytes of files may have " +
+                            significant(std::floor(limit), 15)};
     error.help = "it may claim more than it holds; export it once more, smaller or in parts";
     return error;
 }
