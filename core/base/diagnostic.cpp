@@ -75,13 +75,16 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 
 // How far `candidate` is from what was written; above `limit` is not near. Less of a name and a
 // name with more behind it ("r8unorm" for "r8") or before it ("gl_r8") count as just near enough,
-// the last part of a path ("hemisphere" for "ssao/hemisphere") as one letter off.
+// the last part of a path ("hemisphere" for "ssao/hemisphere", "views" for "camera.views") as one
+// letter off.
 std::size_t nameDistance(std::string_view written, std::string_view candidate, std::size_t limit)
 {
-    const std::size_t slash = candidate.rfind('/');
-    if (slash != std::string::npos &&
-        candidate.substr(slash + 1) == written.substr(written.rfind('/') + 1))  // npos + 1 is 0
-        return std::min<std::size_t>(limit, 1);
+    const bool bare = written.find_first_of("/.") == written.npos;
+    const std::string_view last = candidate.substr(candidate.find_last_of(bare ? "/." : "/") + 1);
+    if (last.size() < candidate.size()) {  // npos + 1 is 0
+        if (last == written.substr(written.rfind('/') + 1)) return std::min<std::size_t>(limit, 1);
+        if (bare) return std::min(limit + 1, nameDistance(written, last, limit) + 1);
+    }
     const bool more = written.size() > candidate.size();
     const std::string_view longer = more ? written : candidate,
                            shorter = more ? candidate : written;
@@ -223,7 +226,7 @@ std::string toJson(const Diagnostics& diagnostics)
 std::string suggestName(std::string_view name, const std::vector<std::string>& names,
                         std::string_view what)
 {
-    constexpr std::size_t kMaxListed = 16;  // about three lines of a terminal
+    constexpr std::size_t kMaxListed = 40;  // all params of a config: six lines of a terminal
     if (names.empty()) return "there are no " + std::string(what);
     const std::string* nearest = nearestName(name, names);
     std::vector<std::string> listed(std::min(names.size(), kMaxListed));

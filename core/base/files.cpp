@@ -83,6 +83,28 @@ std::string absenceOf(const std::string& path)
     return file.missing ? "does not exist" : "cannot be read: " + file.failure;
 }
 
+std::vector<std::string> filesBeside(const std::string& path, const std::string& written,
+                                     std::string_view ending)
+{
+    constexpr int kMaxSeen = 4096;  // a home folder may hold millions
+    const fs::path parent = fs::path(path).parent_path();
+    const fs::path folder = parent.empty() ? "." : parent;
+    std::vector<std::string> files;
+    std::error_code error;
+    const auto options = fs::directory_options::skip_permission_denied;
+    fs::recursive_directory_iterator at(folder, options, error);
+    for (int seen = 0; !error && at != fs::end(at) && seen < kMaxSeen; ++seen) {
+        if (at.depth() == 1) at.disable_recursion_pending();
+        const fs::path name =
+            fs::path(written).parent_path() / at->path().lexically_relative(folder);
+        std::error_code unreadable;  // an entry that cannot be looked at is left out
+        if (endsWith(name.native(), ending) && at->is_regular_file(unreadable))
+            files.push_back(name.string());
+        at.increment(error);
+    }
+    return files;
+}
+
 bool isBelow(const std::string& path, const std::vector<std::string>& folders)
 {
     if (path.find('\0') != std::string::npos)

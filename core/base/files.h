@@ -30,6 +30,12 @@ FileBytes readStart(const std::string& path, std::size_t count);
 /// Of what was not read: "does not exist", or "cannot be read: it is a folder".
 std::string absenceOf(const std::string& path);
 
+/// Regular files in the folder of `path` and in those right below it whose names end in `ending`,
+/// for a suggestion: few where there are many. Each is named from where `written` is, which is how
+/// somebody wrote `path`.
+std::vector<std::string> filesBeside(const std::string& path, const std::string& written,
+                                     std::string_view ending);
+
 /// True when the file at `path` is, or would be, below one of the folders, which are seen from the
 /// current folder. A link counts as where it leads, for both.
 bool isBelow(const std::string& path, const std::vector<std::string>& folders);

@@ -77,14 +77,14 @@ Result<Description> decode(const Node& document, const SourceSet& sources, const
     description.limits = limits;
     description.place = document.place;
     noteDeleted(document, description);
-    table::Report report(!document.origins.empty());
+    table::Report report(document, sources);
     table::read(report, table::Cursor{document, "", document.place}, description, {});
     table::checkNames(description, report);
     table::readLevels(document, description, report);
     std::set<std::string> referred;
     if (!hasMisspeltSection(document, report)) {
-        referred = table::checkReferences(document, sources, description, report);
-        table::readShaderFiles(sources, description, report);
+        referred = table::checkReferences(document, description, report);
+        table::readShaderFiles(description, report);
     }
     Diagnostics diagnostics = report.take(document);
     if (hasErrors(diagnostics)) return diagnostics;

@@ -43,14 +43,16 @@ std::string absence(const Found& file)
 }
 
 // `ending` says what the file is for: ".frag", ".vert", ".glsl".
-std::string suggestFile(const SourceSet& sources, const std::string& name,
+std::string suggestFile(const SourceSet& sources, const std::string& name, const std::string& key,
                         const std::string& ending)
 {
     std::vector<std::string> paths;
-    for (const std::string& path : sources.list())
+    if (isOnDisk(key)) paths = filesBeside(key, name, ending);
+    const char* what = paths.empty() ? "files" : "files there";
+    for (const std::string& path : paths.empty() ? sources.list() : std::vector<std::string>())
         if (endsWith(path, ending)) paths.push_back(path);
-    return (isRelative(name) ? "the path is seen from the folder of the file that has it; " : "") +
-           suggestName(name, std::move(paths), "files");
+    return suggestName(name, paths, what) +
+           (isRelative(name) ? "; the path is seen from the folder of the file that has it" : "");
 }
 
 struct FileReader {
@@ -71,7 +73,7 @@ struct FileReader {
             Reported& error =
                 report.at(reference, Code::file_missing,
                           who + " names file '" + reference.name + "', which " + absence(file),
-                          suggestFile(sources, reference.name, ending));
+                          suggestFile(sources, reference.name, file.key, ending));
             error.mistake = "file " + file.key;
             return;
         }
@@ -117,7 +119,7 @@ struct FileReader {
                 waiting.push_back(*found);
             else
                 missing(at, "file '" + at.name + "', which " + absence(*found),
-                        suggestFile(sources, at.name, ".glsl"));
+                        suggestFile(sources, at.name, found->key, ".glsl"));
         }
     }
 
@@ -155,9 +157,9 @@ struct FileReader {
 
 }  // namespace
 
-void readShaderFiles(const SourceSet& sources, Description& description, Report& report)
+void readShaderFiles(Description& description, Report& report)
 {
-    FileReader reader{sources, description, report};
+    FileReader reader{report.sources, description, report};
     for (ShaderDesc& each : description.shaders) {
         reader.readFrom(each.vertex, "shader '" + each.name + "'", ".vert");
         reader.readFrom(each.fragment, "shader '" + each.name + "'", ".frag");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the decoding visitor does with keys: missing, unknown, refused, badly named.
 #include "core/config/decode_reader.h"
+#include "core/config/decode_steps.h"
 
 #include "core/base/text.h"
 
@@ -12,6 +13,10 @@ namespace {
 
 // One GLSL line holds it with room to spare, and the shortest limit among drivers is far longer.
 constexpr std::size_t kMaxNameBytes = 64;
+
+const std::vector<std::string> kSections = {"params",  "features", "imports",    "generated",
+                                            "targets", "shaders",  "interfaces", "passes",
+                                            "outputs", "views"};
 
 }  // namespace
 
@@ -48,11 +53,14 @@ void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry
     Reported& error =
         report.atKey(entry, Code::unknown_param,
                      what + " '" + entry.key + "' is set here, and no file declares it");
+    error.help = report.otherSection(section.key, entry.key);
+    if (!error.help.empty()) return;
     if (report.leavesOut(entry.key_place)) return Report::leaveOut(error);
     std::vector<std::string> declared;
     for (const Member& member : section.node.members)
         if (member.value.kind == Node::Kind::object) declared.push_back(member.key);
-    error.help = suggestName(entry.key, std::move(declared), section.key) +
+    error.help = declaredBy(report.sources, section.key, entry.key) +
+                 suggestName(entry.key, declared, section.key) +
                  "; to declare one of your own, write {\"default\": " + brief(entry.node) + "}";
     for (const Member& gone : section.node.deleted)
         if (gone.key == entry.key)
@@ -100,8 +108,11 @@ bool Reader::reportUnknown()
             report_.count();
             continue;
         }
-        std::string help = suggestName(member.key, keys_, "keys");
-        if (!startsWith(help, "did you mean")) help += "; a key of your own begins with 'x-'";
+        std::string help =
+            cursor_.pointer.empty() ? report_.otherSection("", member.key) : std::string();
+        if (contains(kSections, member.key)) help = "it stands at the top of a config";
+        if (help.empty() && !startsWith(help = suggestName(member.key, keys_, "keys"), "did you"))
+            help += "; a key of your own begins with 'x-'";
         reported = true;
         report_.atKey(cursor_.child(member), Code::unknown_key,
                       "found the key '" + member.key + "', which the format does not have here",

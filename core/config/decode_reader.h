@@ -131,7 +131,10 @@ void setKey(Report& report, const Cursor& cursor, T& entry)
 template <class T>
 bool read(Report& report, const Cursor& cursor, NumberOrName<T> out, const Rule& rule)
 {
-    if (cursor.node.kind == Node::Kind::string) return read(report, cursor, out.name, rule);
+    const Node& node = cursor.node;
+    const bool name =
+        node.kind == Node::Kind::string && !(node.text[0] >= '0' && node.text[0] <= '9');
+    if (name) return read(report, cursor, out.name, rule);
     return read(report, cursor, out.number, rule);
 }
 
@@ -145,7 +148,8 @@ bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&
         if (isExtension(member.key)) continue;
         const Cursor child = cursor.child(member);
         const bool declared = isDeclared(out, member.value);
-        const bool elided = !declared && report.leavesOut(child.key_place);
+        const bool elided = !declared && (report.leavesOut(child.key_place) ||
+                                          !report.otherSection(cursor.key, child.key).empty());
         const bool bare = member.value.kind != Node::Kind::object;
         if (!elided) setKey(report, child, out.emplace_back());
         if (elided || (!declared && bare))

@@ -29,8 +29,7 @@ bool isCount(std::string_view text)
 
 class Checker {
 public:
-    Checker(const Node& document, const SourceSet& sources, const Description& description,
-            Report& report);
+    Checker(const Node& document, const Description& description, Report& report);
     std::set<std::string> run();
 
 private:
@@ -47,7 +46,6 @@ private:
     void checkInput(const PassDesc& pass, const InputDesc& input);
 
     const Node& document_;
-    const SourceSet& sources_;
     const Description& description_;
     Report& report_;
     std::set<std::string> named_ = {};
@@ -60,10 +58,8 @@ private:
     Names subjects_ = {"feature or trait", "names", Code::feature_missing, {"features"}};
 };
 
-Checker::Checker(const Node& document, const SourceSet& sources, const Description& description,
-                 Report& report)
+Checker::Checker(const Node& document, const Description& description, Report& report)
     : document_(document),
-      sources_(sources),
       description_(description),
       report_(report)
 {
@@ -119,7 +115,7 @@ void Checker::expect(const Reference& reference, const std::string& who, const N
     if (report_.full()) return report_.count();
     const bool target = names.code == Code::target_missing;
     const std::string makers =
-        target ? modulesThatDeclare(sources_, "targets", reference.name) : "";
+        target ? modulesThatDeclare(report_.sources, "targets", reference.name) : "";
     Reported& error =
         report_.at(reference, names.code,
                    who + " " + names.what + " '" + reference.name + "', which does not exist",
@@ -133,6 +129,7 @@ void Checker::expect(const Reference& reference, const std::string& who, const N
             if (each.pointer != pointer && each.pointer != memberPointer(pointer, reference.name))
                 continue;
             error.notes.push_back({each.place, "it was deleted here"});
+            error.help = "leave the null out, or delete what names it too; " + error.help;
             if (isModule(reference.place)) error.cause = each.place;
         }
     }
@@ -301,16 +298,23 @@ std::string modulesThatDeclare(const SourceSet& sources, std::string_view sectio
         const Result<Node> document = parseDocument(source);
         const Node* entries = document ? document->find(section) : nullptr;
         const Node* declared = entries ? entries->find(name) : nullptr;
-        if (declared && (declared->kind == Node::Kind::string || declared->find("format")))
+        if (declared && (declared->kind == Node::Kind::string || declared->find("format") ||
+                         declared->find("default")))
             modules += (modules.empty() ? "" : ", ") + path.substr(0, path.size() - kSuffix.size());
     }
     return modules;
 }
 
-std::set<std::string> checkReferences(const Node& document, const SourceSet& sources,
-                                      const Description& description, Report& report)
+std::string declaredBy(const SourceSet& sources, std::string_view section, const std::string& name)
 {
-    return Checker(document, sources, description, report).run();
+    const std::string modules = modulesThatDeclare(sources, section, name);
+    return modules.empty() ? "" : "declared by " + modules + ", which the config does not extend; ";
+}
+
+std::set<std::string> checkReferences(const Node& document, const Description& description,
+                                      Report& report)
+{
+    return Checker(document, description, report).run();
 }
 
 }  // namespace crevice::table

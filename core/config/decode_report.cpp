@@ -54,7 +54,19 @@ Cursor Cursor::item(std::size_t index) const
 
 bool Report::leavesOut(const Place& key) const
 {
-    return patched_ && !(key.source && key.source->path == kOverridePath);
+    return !document_.origins.empty() && !(key.source && key.source->path == kOverridePath);
+}
+
+std::string Report::otherSection(const std::string& section, const std::string& name) const
+{
+    for (const std::string other : {"params", "features"}) {
+        const Node* entries = other == section ? nullptr : document_.find(other);
+        const Node* declared = entries ? entries->find(name) : nullptr;
+        if (declared && declared->kind == Node::Kind::object)
+            return "'" + name + "' is a " + other.substr(0, other.size() - 1) +
+                   ": write it under " + other;
+    }
+    return {};
 }
 
 void Report::leaveOut(Diagnostic& error)

@@ -33,13 +33,17 @@ struct Reported : Diagnostic {
 /// the last stays, and an error where there was one.
 class Report {
 public:
-    /// A variant, a swapped module or a pointer's override was laid over the config where
-    /// `patched`.
-    explicit Report(bool patched) : patched_(patched) {}
+    Report(const Node& document, const SourceSet& set) : sources(set), document_(document) {}
+
+    const SourceSet& sources;  ///< Looked through for what would declare a name.
 
     /// Whether an entry that nothing declares is left out with a warning: what the config gives a
-    /// value may have gone with a module that was swapped.
+    /// value may have gone with a module that was swapped, or with a variant or override.
     bool leavesOut(const Place& key) const;
+
+    /// Where what stands under `section` is declared instead: "write it under params". Empty where
+    /// neither params nor features declare it.
+    std::string otherSection(const std::string& section, const std::string& name) const;
 
     /// Makes that warning of the error about it.
     static void leaveOut(Diagnostic& error);
@@ -68,7 +72,7 @@ public:
     Diagnostics take(const Node& document);
 
 private:
-    bool patched_;
+    const Node& document_;
     std::vector<Reported> errors_;
     std::optional<Reported> dropped_;  // an error past those
     int more_ = 0;                     // so many were dropped

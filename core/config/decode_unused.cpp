@@ -15,8 +15,8 @@ namespace crevice::table {
 
 namespace {
 
-// Only what the config's own file and overrides declare is looked at: a module may well declare
-// more than one config uses, and deleting a pass leaves what fed it behind.
+// Only what the config's own file, modules on disk and overrides declare is looked at: a shipped
+// module may well declare more than one config uses, and deleting a pass leaves what fed it behind.
 struct UseChecker {
     const Node& document;
     const Description& description;
@@ -85,7 +85,8 @@ struct UseChecker {
     bool isOwn(const Named& each) const
     {
         const SourceRef& writer = each.place.source;
-        return writer == document.place.source || (writer && writer->path == kOverridePath);
+        return writer == document.place.source ||
+               (writer && (writer->path.empty() || writer->path == kOverridePath));
     }
 
     template <class T>
@@ -108,8 +109,10 @@ struct UseChecker {
                  others.empty() ? "use it or leave it out"
                                 : suggestName(each->name, others, heading),
                  each->place, each->pointer});
-            // What a variant takes away may leave something unused that is well used without it.
-            if (!document.origins.empty() && each->place.source == document.place.source)
+            // What a variant takes away may leave something unused that is well used without it,
+            // and what a module declares may be used in another config.
+            const bool own = each->place.source == document.place.source;
+            if (own ? !document.origins.empty() : each->place.source->path.empty())
                 found.back().severity = Severity::warning;
         }
     }

@@ -2,9 +2,12 @@
 // How each JSON form becomes a C++ value, and what is said when it does not.
 #include "core/config/decode_reader.h"
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/json/merge.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace crevice::table {
 
@@ -60,6 +63,28 @@ bool forEachItem(Report& report, const Cursor& cursor, F each)
     return good;
 }
 
+// What to write where a number is wanted; of what is no text or list, the table's sentence.
+std::string wayToNumber(const Node& node, bool whole, const Rule& rule)
+{
+    constexpr std::pair<std::string_view, double> kUnits[] = {
+        {"", 1}, {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"%", 0.01}};
+    const std::string unit = rule.unit.empty() ? "1" : std::string(rule.unit);
+    const std::string in_unit = unit == "1" ? "" : ", in " + unit;
+    if (node.kind == Node::Kind::array && node.items.size() == 1)
+        return "write " + brief(node.items[0]) + ", without brackets";
+    if (node.kind == Node::Kind::number) return "a whole number has no point: 16";
+    if (node.kind != Node::Kind::string) return {};
+    std::string text = node.text;
+    std::replace(text.begin(), text.end(), ',', '.');
+    std::string_view rest = text;
+    const double value = takeNumber(rest).value_or(NAN);
+    for (const auto& [name, factor] : kUnits)
+        if (std::isfinite(value) && rest == name && !(whole && value != std::floor(value)))
+            return "write " + numberText(value * factor) + in_unit + ", without quotes";
+    return "write a number, such as " + std::string(whole ? "16" : "0.8") + in_unit +
+           ", with no quotes or letters";
+}
+
 bool isMacroName(std::string_view name)
 {
     return !name.empty() && isWordStart(name.front()) && name.substr(0, 3) != "GL_" &&
@@ -76,12 +101,7 @@ bool isNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, doubl
     const bool fraction = whole && node.text.find_first_of(".eE") != std::string::npos;
     if (node.kind != Node::Kind::number || fraction) {
         const std::string wanted = whole ? "a whole number" : "a number";
-        std::string help;  // of other kinds the table's sentence
-        if (node.kind == Node::Kind::string)
-            help = wanted + ", such as " + (whole ? "16" : "0.8") + ", has no quotes";
-        else if (fraction)
-            help = wanted + " has no point: 16";
-        return wrongType(report, cursor, wanted, std::move(help));
+        return wrongType(report, cursor, wanted, wayToNumber(node, whole, rule));
     }
     rule.min = std::max(rule.min, least);
     rule.max = std::min(rule.max, most);
@@ -98,9 +118,7 @@ bool isNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, doubl
 bool expectObject(Report& report, const Cursor& cursor, const std::vector<std::string>& keys)
 {
     return cursor.node.kind == Node::Kind::object ||
-           wrongType(report, cursor, "an object",
-                     keys.empty() ? "write {\"name\": ..., ...}"
-                                  : "write an object with some of the keys " + joined(keys));
+           wrongType(report, cursor, "an object", wayToObject(cursor.pointer, cursor.node, keys));
 }
 
 bool readWord(Report& report, const Cursor& cursor, const std::vector<std::string>& words,
@@ -196,8 +214,14 @@ bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
         return good;
     }
     const std::string wanted = std::to_string(out.count) + " numbers";
-    if (cursor.node.kind != Node::Kind::array)
-        return wrongType(report, cursor, "a list of " + wanted);
+    if (cursor.node.kind != Node::Kind::array) {
+        const std::string text = cursor.node.text;
+        const bool number = cursor.node.kind == Node::Kind::number;
+        const std::string all =
+            number ? joined(std::vector<std::string>(std::size_t(out.count), text)) : text;
+        return wrongType(report, cursor, "a list of " + wanted,
+                         text.empty() ? "" : "write [" + all + "]");
+    }
     if (cursor.node.items.size() != static_cast<std::size_t>(out.count))
         return wrongLength(report, cursor, wanted);
     bool good = true;

@@ -21,22 +21,12 @@ constexpr struct {
                  {"passes", "shader"},  {"views", "target"},       {"outputs", ""},
                  {"interfaces", ""},    {"generated", "generator"}};
 
-using Names = decltype(Removal::names);
-
 bool declares(const std::string& section, const Node& entry)
 {
     return std::any_of(std::begin(kSections), std::end(kSections), [&](const auto& each) {
         return each.section == section &&
                (*each.key ? entry.find(each.key) != nullptr : entry.kind == Node::Kind::string);
     });
-}
-
-// What the file declares, or of a file that is left out all that it speaks of.
-void collect(const Node& body, bool all, Names& names)
-{
-    for (const Member& section : body.members)
-        for (const Member& entry : section.value.members)
-            if (all || declares(section.key, entry.value)) names.emplace(section.key, entry.key);
 }
 
 bool shares(const std::vector<std::string>& some, const std::vector<std::string>& others)
@@ -101,10 +91,10 @@ Names declaredByOthers(const std::vector<LoadedFile>& files, const std::vector<b
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (out[i]) continue;
         Names declared, changed;
-        collect(files[i].body, false, declared);
+        collectNames(files[i].body, false, declared);
         for (std::size_t base = 0; i < last && base < files.size(); ++base)
             if (out[base] && files[i].extended.count(files[base].identity) > 0)
-                collect(files[base].body, false, changed);
+                collectNames(files[base].body, false, changed);
         for (const auto& each : changed) declared.erase(each);
         kept.insert(declared.begin(), declared.end());
     }
@@ -112,6 +102,13 @@ Names declaredByOthers(const std::vector<LoadedFile>& files, const std::vector<b
 }
 
 }  // namespace
+
+void collectNames(const Node& body, bool all, Names& names)
+{
+    for (const Member& section : body.members)
+        for (const Member& entry : section.value.members)
+            if (all || declares(section.key, entry.value)) names.emplace(section.key, entry.key);
+}
 
 Removal leaveOutReplaced(std::vector<LoadedFile>& files)
 {
@@ -122,7 +119,7 @@ Removal leaveOutReplaced(std::vector<LoadedFile>& files)
         const LoadedFile* by = replacing(files[i], files);
         out[i] = by != nullptr;
         if (!by) continue;
-        collect(files[i].body, true, left_out.names);
+        collectNames(files[i].body, true, left_out.names);
         left_out.files.push_back(reasonOf(files[i], *by));
         last = std::max(last, static_cast<std::size_t>(by - files.data()));
     }

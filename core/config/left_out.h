@@ -23,12 +23,17 @@ struct LoadedFile : Named {
     int named = 0;                        ///< When it was named last; what is named later has more.
 };
 
+/// Sections, each with the name of something that stands in it.
+using Names = std::set<std::pair<std::string, std::string>>;
+
+/// Adds what the file declares, or with `all` everything that it speaks of.
+void collectNames(const Node& body, bool all, Names& names);
+
 /// What was left out of a config.
 struct Removal {
     std::vector<Member> files = {};  ///< Names of files, and strings that say why.
-    /// Sections, each with the name of something that no file declares any more.
-    std::set<std::pair<std::string, std::string>> names = {};
-    Place place = {};  ///< Where the last file was asked for that replaced another.
+    Names names = {};                ///< What no file declares any more.
+    Place place = {};                ///< Where the last file was asked for that replaced another.
 };
 
 /// Takes out of `files`, which are in the order of merging, each that needs what another replaces

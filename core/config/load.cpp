@@ -4,6 +4,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "core/config/decode_steps.h"
 #include "core/config/left_out.h"
 #include "core/json/merge.h"
 #include "core/json/override.h"
@@ -22,6 +23,11 @@ namespace {
 
 constexpr std::string_view kSuffix = ".json";
 constexpr std::string_view kConfigs = "configs/";
+
+std::string withSuffix(const std::string& name)
+{
+    return endsWith(name, kSuffix) ? name : name + std::string(kSuffix);
+}
 
 // Configs by name, and modules by path where asked for.
 std::vector<std::string> namesIn(const SourceSet& sources, bool modules)
@@ -71,10 +77,15 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
     if (SourceRef source = file ? readFile(config, roots) : nullptr) return source;
     const std::string shipped = std::string(kConfigs) + config + std::string(kSuffix);
     if (SourceRef source = sources.find(file ? config : shipped)) return source;
+    std::vector<std::string> names = filesBeside(config, config, kSuffix);
+    const char* what = names.empty() ? "shipped configs" : "files here and shipped configs";
+    for (std::string& name : configNames(sources)) names.push_back(std::move(name));
     Diagnostic missing{Code::module_missing,
                        file ? "the file '" + config + "' " + absenceOf(config)
                             : "there is no config '" + config + "'",
-                       suggestName(config, configNames(sources), "shipped configs")};
+                       suggestName(config, names, what)};
+    if (!file && !startsWith(missing.help, "did you"))
+        missing.help = suggestName(withSuffix(config), names, what);
     if (!file) missing.help += "; the name of a file of your own ends in .json";
     if (!file && sources.find(config + std::string(kSuffix)))
         missing.help =
@@ -124,15 +135,14 @@ void checkTaken(const Node& document, Diagnostics& errors)
 // Reads a config's files, each once and each after all that it extends.
 class FileLoader {
 public:
-    FileLoader(const SourceSet& sources, const LoadRequest& request)
-        : sources_(sources),
-          request_(request)
+    FileLoader(const SourceSet& all, const LoadRequest& request) : sources(all), request_(request)
     {
     }
 
     Removal run();
     LoadedFile* find(const std::string& identity);
 
+    const SourceSet& sources;
     std::vector<LoadedFile> files;  // in the order of merging
     std::string config;             // the identity of the config itself
     Diagnostics errors;
@@ -141,6 +151,7 @@ private:
     void load(const SourceRef& found, const Place& asked, const std::string& pointer);
     void loadAdded();
     void checkClashes();
+    Names madeBy(const std::string& module) const;
     void checkSwaps();
     void readSwaps();
     const Node& swapped(const Node& entry);
@@ -152,7 +163,6 @@ private:
     std::vector<Node> takeNames(Node& document, const char* key);
     std::vector<Member> takeVariants(Node& document);
 
-    const SourceSet& sources_;
     const LoadRequest request_;
     std::vector<LoadedFile> open_;  // from the config to the file being read
     int named_ = 0;                 // so many files, the same ones again included
@@ -175,7 +185,7 @@ std::string identityOf(const SourceText& source)
 Removal FileLoader::run()
 {
     readSwaps();
-    const Result<SourceRef> found = findConfig(sources_, request_);
+    const Result<SourceRef> found = findConfig(sources, request_);
     if (!found) {
         errors = found.diagnostics();
         return {};
@@ -250,7 +260,9 @@ void FileLoader::readSwaps()
         Result<Override> read = readOverride(text, rootsOf(request_));
         append(errors, read.diagnostics());
         if (read && read->value.kind != Node::Kind::string)
-            errors.push_back(wrongType(read->value, "a name", "", "write the name of a module"));
+            errors.push_back(wrongType(read->value, "a name", "",
+                                       "write the name of a module; to set a value, write its name "
+                                       "alone, or a path that begins with '/'"));
         else if (read)
             swaps_.push_back(std::move(*read));
     }
@@ -266,12 +278,46 @@ const Node& FileLoader::swapped(const Node& entry)
     return swap ? swap->value : entry;
 }
 
+// The targets and interfaces that a module and what it extends make.
+Names FileLoader::madeBy(const std::string& module) const
+{
+    FileLoader loader(sources, {R"({"format": 1, "extends": [)" + jsonString(module) + "]}"});
+    loader.run();
+    Names made;
+    for (const LoadedFile& file : loader.files) collectNames(file.body, false, made);
+    for (auto each = made.begin(); each != made.end();)
+        each = each->first == "targets" || each->first == "interfaces" ? std::next(each)
+                                                                       : made.erase(each);
+    return made;
+}
+
+// One swap for another that makes nothing of the same names leaves a hole, of which each reader
+// would be reported.
 void FileLoader::checkSwaps()
 {
-    for (const Override& swap : swaps_)
-        if (!contains(extends_, swap.name))
+    for (const Override& swap : swaps_) {
+        if (!contains(extends_, swap.name)) {
             errors.push_back({Code::module_missing, "no config extends '" + swap.name + "'",
                               suggestName(swap.name, extends_, "modules to swap"), swap.place});
+            continue;
+        }
+        const Names wanted = madeBy(swap.name);
+        const auto serves = [&](const std::string& module) {
+            const Names made = madeBy(module);
+            return std::any_of(made.begin(), made.end(),
+                               [&](const auto& each) { return wanted.count(each) > 0; });
+        };
+        if (wanted.empty() || serves(swap.value.text)) continue;
+        std::vector<std::string> others;
+        const std::string folder = swap.name.substr(0, swap.name.rfind('/') + 1);
+        for (const std::string& each : namesIn(sources, true))
+            if (startsWith(each, folder) && serves(each)) others.push_back(each);
+        errors.push_back({Code::module_missing,
+                          "'" + swap.value.text + "' makes nothing of what '" + swap.name +
+                              "' makes, whose place it would take",
+                          suggestName(swap.value.text, others, "modules that can"),
+                          swap.value.place});
+    }
 }
 
 // What may be given only once: the GLSL of a shader, the file behind an interface. Null when
@@ -362,10 +408,13 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
                        entry.place, pointer};
     if (!isOnDisk(name)) {
         const std::string path = name + std::string(kSuffix);
-        if (SourceRef source = sources_.find(path)) return source;
-        if (SourceRef source = sources_.find(std::string(kConfigs) + path)) return source;
-        missing.help = suggestName(name, namesIn(sources_, true), "modules and configs");
-        if (endsWith(name, kSuffix)) missing.help += "; a path to a file begins with './'";
+        if (SourceRef source = sources.find(path)) return source;
+        if (SourceRef source = sources.find(std::string(kConfigs) + path)) return source;
+        missing.help = suggestName(name, namesIn(sources, true), "modules and configs");
+        const std::string own = "./" + withSuffix(name);
+        const std::string file = resolvePath(locationOf(from), own);
+        if (const auto there = openNamed(from, file); from.path.empty() && there && *there)
+            missing.help = "write '" + own + "': the path to a file begins with './'";
         return missing;
     }
     const bool shipped = !from.path.empty() && !isRelative(from.path);
@@ -374,7 +423,7 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
         return Diagnostic{Code::module_escape, "the path '" + name + "' leads out of the modules",
                           "name a module, such as 'ssao/hemisphere'", entry.place, pointer};
     Result<SourceRef> found =
-        shipped ? Result<SourceRef>(sources_.find(path)) : openNamed(from, path);
+        shipped ? Result<SourceRef>(sources.find(path)) : openNamed(from, path);
     if (!found) {
         Diagnostic refused = found.diagnostics().front();
         refused.place = entry.place;
@@ -384,7 +433,10 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
     if (*found) return found;
     missing.message = shipped ? "there is no module '" + path + "'"
                               : "the file '" + path + "' " + absenceOf(path);
-    missing.help = "the path is seen from the folder of '" + from.name + "', and ends in .json";
+    if (!shipped)
+        missing.help =
+            suggestName(withSuffix(name), filesBeside(path, name, kSuffix), "files there") + "; ";
+    missing.help += "the path is seen from the folder of '" + from.name + "', and ends in .json";
     return missing;
 }
 
@@ -504,9 +556,17 @@ Result<Node> mergeFiles(FileLoader& loader, const LoadRequest& request, const Re
         std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure))
         document.origins.push_back(document.place);
     if (!request.variant.empty()) applyVariant(document, loader.files, request, errors);
-    for (const std::string& text : request.overrides)
-        if (!swaps(text) && !adds(text))
-            append(errors, applyOverride(document, text, rootsOf(request)).diagnostics());
+    for (const std::string& text : request.overrides) {
+        if (swaps(text) || adds(text)) continue;
+        Diagnostics found = applyOverride(document, text, rootsOf(request)).diagnostics();
+        for (Diagnostic& each : found)
+            for (const char* section : {"params", "features"})
+                if (each.code == Code::unknown_param)
+                    each.help =
+                        table::declaredBy(loader.sources, section, text.substr(0, text.find('='))) +
+                        each.help;
+        append(errors, found);
+    }
     checkTaken(document, errors);
     cutShort(errors);
     if (!errors.empty()) return errors;

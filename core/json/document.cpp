@@ -305,10 +305,10 @@ Result<Node> parseText(const SourceRef& source)
 // True for what is meant as JSON, and whose faults are worth a message; anything else is a word.
 bool looksLikeJson(std::string_view text)
 {
-    const std::size_t sign = text[0] == '+' || text[0] == '-' || text[0] == '.' ? 1 : 0;
-    const char first = sign < text.size() ? text[sign] : '\0';
-    return text[0] == '-' || isDigit(first) || text[0] == '"' || text[0] == '{' || text[0] == '[' ||
-           text == "true" || text == "false" || text == "null";
+    const bool number = isDigit(text[text[0] == '-' && text.size() > 1 ? 1 : 0]) &&
+                        text.find_first_not_of("+-.0123456789eE") == text.npos;  // not 50cm
+    return number || text[0] == '"' || text[0] == '{' || text[0] == '[' || text == "true" ||
+           text == "false" || text == "null";
 }
 
 }  // namespace

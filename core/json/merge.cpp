@@ -53,7 +53,7 @@ Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& poi
                           std::string("found ") + kindName(patch.kind) + " where " +
                               kindName(base.kind) + " is to be changed",
                           isObject(base)
-                              ? "write an object with the keys to change, or null to delete"
+                              ? wayToObject(pointer, patch, {"that it has"}) + ", or null to delete"
                               : "write the whole value: only objects change key by key",
                           patch.place, pointer};
     if (base.place.source) diagnostic.notes.push_back({base.place, "the base value is here"});
@@ -122,6 +122,16 @@ void merge(Node& base, const Node& patch, const std::string& pointer, Diagnostic
 }
 
 }  // namespace
+
+std::string wayToObject(std::string_view pointer, const Node& value,
+                        const std::vector<std::string>& keys)
+{
+    if (endsWith(pointer, "/size") && value.kind == Node::Kind::number)
+        return "write {\"scale\": " + brief(value) + "}";
+    if (!keys.empty()) return "write an object with some of the keys " + joined(keys);
+    const Node& name = value.items.empty() ? value : value.items[0];
+    return "write {" + (name.kind == Node::Kind::string ? brief(name) : "\"name\"") + ": ..., ...}";
+}
 
 Diagnostic tooManyMembers(const Place& place, std::string pointer)
 {

@@ -27,4 +27,9 @@ void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics);
 /// Requires two objects.
 Node patchBetween(const Node& base, const Node& now);
 
+/// The help where a value stands and an object with some of `keys` is wanted: the object that was
+/// surely meant.
+std::string wayToObject(std::string_view pointer, const Node& value,
+                        const std::vector<std::string>& keys);
+
 }  // namespace crevice

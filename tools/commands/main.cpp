@@ -1,21 +1,60 @@
 // SPDX-License-Identifier: MIT
 // The crevice command.
+#include "core/base/text.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <exception>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
-int usageError(const CLI::App& app, const CLI::ParseError& error)
+/// What there was once, and what there is instead.
+constexpr std::pair<const char*, const char*> kGone[] = {
+    {"compare-bench", "write crevice report FOLDER --against FOLDER"},
+    {"--ablate", "write --disable"},
+    {"--diff", "write diff <(crevice explain ONE) <(crevice explain OTHER)"},
+    {"--reference", "write crevice reference"},
+};
+
+/// Says of the first argument that is no command or option of `app` which was meant.
+void nameUnknown(const CLI::App& app, const std::vector<std::string>& arguments,
+                 crevice::Diagnostic& error)
+{
+    std::vector<std::string> commands, options;
+    for (const CLI::App* each : app.get_subcommands(nullptr)) commands.push_back(each->get_name());
+    for (const CLI::Option* each : app.get_options())
+        for (const std::string& name : each->get_lnames()) options.push_back("--" + name);
+    for (const std::string& argument : arguments) {
+        const std::string word = argument.substr(0, argument.find('='));
+        const bool option = word.size() > 2 && word[0] == '-' && !crevice::isDigit(word[1]);
+        const std::vector<std::string>& known = option ? options : commands;
+        if (known.empty() || crevice::contains(known, word)) continue;
+        const std::string what = option ? "option" : "command";
+        const auto* gone = std::find_if(std::begin(kGone), std::end(kGone),
+                                        [&](const auto& each) { return each.first == word; });
+        error.message = "there is no " + what + " '" + word + "'";
+        error.help = (gone != std::end(kGone) ? gone->second
+                                              : crevice::suggestName(word, known, what + "s")) +
+                     "; " + error.help;
+        return;
+    }
+}
+
+int usageError(const CLI::App& app, const CLI::ParseError& error,
+               const std::vector<std::string>& arguments)
 {
     using namespace crevice;
     const auto chosen = app.get_subcommands();
     Diagnostic diagnostic{Code::usage, error.what()};
     diagnostic.help =
         "see crevice " + (chosen.empty() ? "" : chosen[0]->get_name() + " ") + "--help";
+    nameUnknown(chosen.empty() ? app : *chosen[0], arguments, diagnostic);
     report({diagnostic}, false);
     return kExitUsage;
 }
@@ -48,7 +87,7 @@ int run(int argc, char** argv)
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        return usageError(app, error);
+        return usageError(app, error, {argv + 1, argv + argc});
     }
     return exit_code;
 }

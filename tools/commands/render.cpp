@@ -200,6 +200,22 @@ void showSummary(const RenderOptions& options, Session& session, const SceneView
     printSummary(summary, pictures);
 }
 
+/// The patch alone was asked for, which needs no picture.
+int saveAlone(const RenderOptions& options, const SourceSet& sources, Diagnostics diagnostics)
+{
+    append(diagnostics, savePatch(options.config, sources, options.save_patch).diagnostics());
+    if (hasErrors(diagnostics)) return report(diagnostics, options.json);
+    if (options.json) {
+        printAsJson({{"config", options.config.config},
+                     {"files", {options.save_patch}},
+                     {"diagnostics", nlohmann::json::parse(toJson(diagnostics))}});
+    } else {
+        report(diagnostics, false);
+        printMessage("wrote %s\n", printableLine(options.save_patch).c_str());
+    }
+    return kExitOk;
+}
+
 int render(const RenderOptions& options)
 {
     Result<std::vector<Picture>> pictures = readRequests(options);
@@ -211,6 +227,7 @@ int render(const RenderOptions& options)
     const CheckoutSources sources(options.config.checkout, options.config.roots);
     Result<Description> description = loadDescription(options.config, sources);
     if (!description) return report(description.diagnostics(), options.json);
+    if (pictures->empty()) return saveAlone(options, sources, description.diagnostics());
     const Result<std::vector<std::string>> outputs = exposeAll(*pictures, *description);
     if (!outputs) return report(outputs.diagnostics(), options.json);
 
@@ -259,8 +276,10 @@ void addPictureOptions(CLI::App& app, RenderOptions& options)
             std::string(&path == kCameraPaths ? " " : ", ") + path.name + " (" + path.what + ")";
     app.add_option("--path", options.path, paths + ". The last frame is that of --camera")
         ->type_name("NAME");
-    app.add_option("--save-patch", options.save_patch,
-                   "Write a config that extends CONFIG and says what --variant and --set changed")
+    app.add_option(
+           "--save-patch", options.save_patch,
+           "Write a config that extends CONFIG and says what --variant and --set changed; draws "
+           "nothing without --out")
         ->type_name("FILE.json");
 }
 
@@ -298,7 +317,7 @@ void addRenderCommand(CLI::App& app, int& exit_code)
         "  crevice render my.json --scene room --camera 'eye=4,2,6;at=0,1,0;fov=50'");
     command->callback([options, command, &exit_code] {
         const std::string name = command->count("--host-depth") > 0 ? "ao" : "color";
-        if (command->count("--out") == 0)
+        if (command->count("--out") == 0 && options->save_patch.empty())
             options->out = {name + "=" + name + (options->path.empty() ? ".png" : "_%03d.png")};
         exit_code = render(*options);
     });

@@ -24,6 +24,7 @@ std::string figure(double value) { return shortest(static_cast<float>(value)); }
 // To two digits.
 double rounded(double value)
 {
+    if (value == 0) return 0;
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
     return std::round(value / unit) * unit;
 }

@@ -67,7 +67,7 @@ Result<Extent> parseSize(const std::string& text)
     Diagnostic error{Code::bad_size,
                      whole ? "the size '" + text + "' is not positive in both directions"
                            : "the size '" + text + "' is not two whole numbers, WIDTHxHEIGHT"};
-    error.help = "write --size 960x540";
+    error.help = "write two numbers above 0 with a small x between: --size 960x540";
     return error;
 }
 

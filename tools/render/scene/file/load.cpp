@@ -4,6 +4,8 @@
 #include "tools/render/scene/lights.h"
 #include "tools/render/scene/scene.h"
 
+#include "core/base/files.h"
+
 #include <algorithm>
 #include <filesystem>
 
@@ -16,25 +18,14 @@ bool looksLikeFile(const std::string& name)
     return name.find_first_of("/\\.") != std::string::npos;
 }
 
-// Files beside the missing one that have its extension.
-std::vector<std::string> filesNearby(const std::filesystem::path& path)
-{
-    std::vector<std::string> names;
-    std::error_code error;
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    std::filesystem::directory_iterator entries(folder, error);
-    for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error))
-        if (entries->path().extension() == path.extension())
-            names.push_back(entries->path().filename().string());
-    return names;
-}
-
 Diagnostic sceneMissing(const std::string& name)
 {
     Diagnostic error = {Code::scene_missing, "there is no scene '" + name + "'"};
     if (looksLikeFile(name)) error.message = "the scene file '" + name + "' does not exist";
     const std::filesystem::path path = name;
-    const auto files = looksLikeFile(name) ? filesNearby(path) : std::vector<std::string>();
+    const auto files = looksLikeFile(name)
+                           ? filesBeside(name, path.filename().string(), path.extension().string())
+                           : std::vector<std::string>();
     error.help = files.empty() ? suggestName(name, builtinSceneNames(), "built-in scenes")
                                : suggestName(path.filename().string(), files, "files beside it");
     return error;
