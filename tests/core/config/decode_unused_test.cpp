@@ -4,6 +4,7 @@
 
 #include "tests/core/config/decode_fixture.h"
 #include "tests/support/plan_rig.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace crevice;
 
@@ -80,6 +81,23 @@ TEST_CASE("Under a variant an unused name is a warning")
     REQUIRE(unused.size() == 1);
     CHECK(unused[0].severity == Severity::warning);
     CHECK(unused[0].message.find("target 'more'") == 0);
+}
+
+TEST_CASE("What a module on disk declares and this config does not use is a warning")
+{
+    const TemporaryFolder folder("unused_of_module");
+    folder.write("mine.json", R"({"format": 1, "params": {"spare": {"default": 1}},
+                                  "targets": {"more": {"format": "r8"}}})");
+    const LoadRequest request{
+        folder.write("config.json", R"({"format": 1, "extends": ["base", "./mine.json"]})")};
+    const MemorySources all = sources();
+    const Result<Node> document = loadConfig(all, request);
+    REQUIRE(document.ok());
+    const Result<Description> description = decode(*document, all);
+    INFO(toText(description.diagnostics()));
+    REQUIRE(description.ok());
+    CHECK(namesIn(description->unused) == "spare more");
+    CHECK_FALSE(hasErrors(description->unused));
 }
 
 TEST_CASE("An unused name is reported where nothing else is wrong, since that might be why")

@@ -16,7 +16,10 @@ for command in render validate explain compare reference cost; do
     expect 0 'Examples:' "$command" --help
 done
 expect 2 'CV8001'
-expect 2 'CV8001' paint learnopengl
+expect 2 "CV8001: there is no command 'paint'" paint learnopengl
+expect 2 "CV8001.*did you mean 'render'" rendr learnopengl
+expect 2 "CV8001.*did you mean '--variant'" validate learnopengl --varient sound
+expect 2 'CV8001.*crevice report' compare-bench a b
 expect 2 'crevice render --help' render
 expect 2 'CV8001' render learnopengl --backend vulkan
 expect 2 'CV8001' render learnopengl --effects nowhere
@@ -108,6 +111,7 @@ printf '{"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_mesh_quantizat
 expect 1 'CV7002.*KHR_mesh_quantization' render learnopengl --scene packed.gltf
 expect 4 'CV7007' render learnopengl --scene plane --out color=nowhere/a.png
 expect 2 'CV8001.*json' render learnopengl --save-patch patch.txt
+expect 0 'wrote saved.json' render learnopengl --scene nowhere --set radius=0.8 --save-patch saved.json
 expect 2 'CV8001.*extend' render mine.json --save-patch ./mine.json
 expect 4 'CV7007' render learnopengl --save-patch nowhere/patch.json
 mkdir folder.png

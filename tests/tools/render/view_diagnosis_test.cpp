@@ -104,6 +104,12 @@ TEST_CASE("ambient occlusion that is 1 everywhere is reported with its cause, un
     CHECK(saidOf(spheres(), "", &some).empty());
 }
 
+TEST_CASE("a radius of 0 is 0 pixels")
+{
+    const Diagnostic none = only(saidOf(spheres(), "radius=0"));
+    CHECK(none.message.find("nan") == std::string::npos);
+}
+
 TEST_CASE("a camera that sees nothing is reported with one that does")
 {
     const Scene scene = square(1, -5);
