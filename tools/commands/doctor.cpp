@@ -144,8 +144,9 @@ Diagnostics checkAnswers(Device& device, const DoctorOptions& options, const Sce
             records.back().rmse < 0 ? 1 : records.back().rmse_white;
     }
     Diagnostics found;
+    int unjudged = 0;
     for (const StressSeries& series : seriesOf(records, cases))
-        for (std::string& each : worseThan(known, with, series))
+        for (std::string& each : worseThan(known, with, series, unjudged))
             found.push_back({Code::answer_wrong, std::move(each),
                              "drawn at 256x144 and compared with '" + with.name + "'"});
     return found;

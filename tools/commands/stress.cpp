@@ -115,12 +115,13 @@ std::map<std::string, KnownConfig> knownConfigs(const StressCommand& command,
         place->second.name = shippedNameOf(task.config, sources);
         place->second.same = place->second.name == place->first && task.config.overrides.empty() &&
                              command.size == kKnownSize;
+        place->second.known_only = !place->second.name.empty();
     }
     return all;
 }
 
 void printJson(const std::vector<StressSeries>& all, const std::string& device,
-               const std::vector<std::string>& worse)
+               const std::vector<std::string>& worse, int unjudged)
 {
     std::vector<std::string> points;
     for (const BreakdownPoint& point : breakdownPoints(all)) points.push_back(sentenceOf(point));
@@ -139,7 +140,8 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device,
                  {"series", totals.series},
                  {"failing", totals.failing},
                  {"failures", totals.failures},
-                 {"worse", worse}});
+                 {"worse", worse},
+                 {"unjudged", unjudged}});
 }
 
 /// Returns how the command ends.
@@ -149,15 +151,17 @@ int showAll(const StressCommand& command, const KnownSteps& known,
 {
     const std::vector<StressSeries> all = seriesOf(records);
     std::vector<std::string> worse;
+    int unjudged = 0;
     for (const StressSeries& series : all)
-        for (std::string& each : worseThan(known, configs.at(series.config), series))
+        for (std::string& each : worseThan(known, configs.at(series.config), series, unjudged))
             worse.push_back(std::move(each));
     if (command.json) {
-        printJson(all, device, worse);
+        printJson(all, device, worse, unjudged);
     } else {
         printTable(all);
         for (const std::string& each : worse) print("  %s\n", each.c_str());
         print("%zu steps are worse than known\n", worse.size());
+        if (unjudged > 0) print("%d steps have no known error and are not judged\n", unjudged);
     }
     return worse.empty() ? kExitOk : kExitDiffers;
 }

@@ -32,6 +32,10 @@ expect 2 'CV8001.*--max-abs' compare a.png b.png --max-abs two
 # --- validate ---
 expect 0 'learnopengl: ok \([0-9]+ passes' validate --all
 expect 0 '"ok": true' validate learnopengl --json
+expect 0 'textures at 64x36' validate mobile --size 64x36
+expect 1 'CV1209.*Limits::passes' validate mobile --limit passes=3
+expect 1 'CV1209.*MiB' render mobile --limit bytes=1000
+expect 2 "did you mean 'passes'" validate mobile --limit pases=3
 expect 0 'thesis variant ambient_only: ok' validate thesis --variant ambient_only
 printf '%s' '{"format": 1, "extends": ["learnopengl"], "variants": {"low": {"parms": {}}}}' >variant.json
 expect 1 "variant.json:.*CV3001: found the key 'parms'" validate variant.json

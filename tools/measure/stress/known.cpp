@@ -136,7 +136,7 @@ std::string shippedNameOf(const ConfigOptions& config, const SourceSet& sources)
 }
 
 std::vector<std::string> worseThan(const KnownSteps& known, const KnownConfig& config,
-                                   const StressSeries& series)
+                                   const StressSeries& series, int& unjudged)
 {
     std::vector<std::string> worse;
     const auto steps = known.find({config.name, series.stress->name});
@@ -146,6 +146,10 @@ std::vector<std::string> worseThan(const KnownSteps& known, const KnownConfig& c
         const Verdict is = judge(*series.stress, series.steps, step);
         const double error = errorOf(*series.stress, *series.steps[step]);
         const bool has = steps != known.end() && steps->second.count(label) > 0;
+        if (!has && config.known_only) {
+            unjudged += is.outcome != Outcome::absent;
+            continue;
+        }
         const StressStanding before = has ? steps->second.at(label) : StressStanding{};
         const bool drawn = is.outcome != Outcome::refused && is.outcome != Outcome::absent &&
                            before.outcome != Outcome::refused;

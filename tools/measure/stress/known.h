@@ -48,12 +48,14 @@ struct KnownConfig {
     std::string name;
     /// False: the config differs from it, so that only an error of twice its own is worse.
     bool same = true;
+    /// Whether a step that is not known is left unjudged; else it counts as one that held.
+    bool known_only = false;
 };
 
 /// Steps that fail where `known` has none that fails, and those whose error is larger than known by
-/// more than kSameChange: "gtao, off_centre, 64: breaks: mean change 0.003". A step that `known`
-/// lacks counts as one that held.
+/// more than kSameChange: "gtao, off_centre, 64: breaks: mean change 0.003". `unjudged` is raised
+/// by the steps that are left so.
 std::vector<std::string> worseThan(const KnownSteps& known, const KnownConfig& config,
-                                   const StressSeries& series);
+                                   const StressSeries& series, int& unjudged);
 
 }  // namespace crevice

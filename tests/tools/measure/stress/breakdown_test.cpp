@@ -104,15 +104,27 @@ namespace {
 
 Sentences worseIn(const Run& now, const Run& before, const KnownConfig& config = {"gtao"})
 {
+    int unjudged = 0;
     Sentences all;
     for (const StressSeries& series : seriesOf(now.records))
         for (const std::string& each :
-             worseThan(standingsOf(seriesOf(before.records)), config, series))
+             worseThan(standingsOf(seriesOf(before.records)), config, series, unjudged))
             all.push_back(each);
+    if (unjudged > 0) all.push_back(std::to_string(unjudged) + " unjudged");
     return all;
 }
 
 }  // namespace
+
+TEST_CASE("A step that is not known counts as one that held, or is left unjudged")
+{
+    Run now;
+    now.add("mirrored");
+    now.records[1].change = 0.1;
+    CHECK(worseIn(now, Run()).size() == 1);
+    CHECK(worseIn(now, Run(), {"gtao", true, true}) ==
+          Sentences{std::to_string(now.records.size()) + " unjudged"});
+}
 
 TEST_CASE("A step is worse where it fails and did not before, or where its error grew")
 {
