@@ -317,7 +317,8 @@ void addRenderCommand(CLI::App& app, int& exit_code)
         "  crevice render my.json --scene room --camera 'eye=4,2,6;at=0,1,0;fov=50'");
     command->callback([options, command, &exit_code] {
         const std::string name = command->count("--host-depth") > 0 ? "ao" : "color";
-        if (command->count("--out") == 0 && options->save_patch.empty())
+        if (command->count("--out") == 0) options->out.clear();
+        if (options->out.empty() && options->save_patch.empty())
             options->out = {name + "=" + name + (options->path.empty() ? ".png" : "_%03d.png")};
         exit_code = render(*options);
     });
