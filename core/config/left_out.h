@@ -4,6 +4,7 @@
 
 #include <crevice/document.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -28,6 +29,9 @@ using Names = std::set<std::pair<std::string, std::string>>;
 
 /// Adds what the file declares, or with `all` everything that it speaks of.
 void collectNames(const Node& body, bool all, Names& names);
+
+/// The first interface or shader that both files make, or nothing.
+std::optional<std::string> madeByBoth(const Node& one, const Node& other);
 
 /// What was left out of a config.
 struct Removal {

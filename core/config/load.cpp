@@ -320,33 +320,6 @@ void FileLoader::checkSwaps()
     }
 }
 
-// What may be given only once: the GLSL of a shader, the file behind an interface. Null when
-// neither.
-const Node* glslAt(const Node& body, const char* list, const std::string& name)
-{
-    const Node* all = body.find(list);
-    const Node* value = all ? all->find(name) : nullptr;
-    const Node* file = value && value->kind == Node::Kind::object ? value->find("fragment") : value;
-    return file && file->kind == Node::Kind::string ? file : nullptr;
-}
-
-// The first interface or shader that both files make, or nothing.
-std::optional<std::string> madeByBoth(const Node& one, const Node& other)
-{
-    for (const char* list : {"interfaces", "shaders"}) {
-        const Node* made = one.find(list);
-        if (!made) continue;
-        for (const Member& member : made->members) {
-            const Node* mine = glslAt(one, list, member.key);
-            const Node* theirs = glslAt(other, list, member.key);
-            if (!mine || !theirs) continue;
-            if (list[0] == 'i') return "interface '" + member.key + "'";
-            if (mine->text != theirs->text) return "shader '" + member.key + "'";
-        }
-    }
-    return std::nullopt;
-}
-
 // Reports one clash, that of the files read last: those before are often what they extend.
 void FileLoader::checkClashes()
 {
