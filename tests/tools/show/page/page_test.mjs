@@ -382,7 +382,7 @@ test('The heat map says what crevice compare says', async () => {
   const figures = await page.evaluate(() => crevice.app.truth.figures);
   const written = await page.$eval('[data-figure=rmse]', node => node.textContent);
   assert.equal(written, figures.rmse.toFixed(4));
-  assert.match(await page.$eval('#scale', node => node.textContent), new RegExp(`−${figures.range} .*0.*\\+${figures.range}`));
+  assert.match(await page.$eval('#scale', node => node.textContent), new RegExp(`−${figures.range}.*0.*\\+${figures.range}`));
   const at = ['--scene', 'spheres', '--camera', camera, '--size', '192x108'];
   const [ao, truth] = ['ao.pfm', 'truth.pfm'].map(name => join(work, name));
   await crevice('render', 'balanced', ...at, '--out', `ao=${ao}`);

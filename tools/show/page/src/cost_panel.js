@@ -30,7 +30,7 @@ function showTurns(parent, sides) {
     const line = add(table, "tr", {class: overlaps ? "soft" : null, title: overlaps ? "Too close to another to tell them apart" : null});
     add(line, "th", {scope: "row"}, row.config);
     add(line, "td", {class: "num"}, "AO " + ms(row.ao_ms));
-    add(line, "td", {class: "num"}, `${round(row.ratio, 2)} of ${unit.config} (${round(row.least, 2)} to ${round(row.most, 2)})`);
+    add(line, "td", {}, `${round(row.ratio, 2)} of ${unit.config} (${round(row.least, 2)} to ${round(row.most, 2)})`);
   }
 }
 

@@ -45,10 +45,8 @@ function show(app, wanted) {
   const missing = [], has = name => name && engine.source(app.path(name)) !== null;
   if (wanted.config && !has(wanted.config)) missing.push(`config '${wanted.config}'`);
   if (wanted.scene && !scenes.includes(wanted.scene)) missing.push(`scene '${wanted.scene}'`);
-  if (!wanted.sceneShown) {
-    const scene = scenes.includes(wanted.scene) ? wanted.scene : FIRST.scene;
-    if (app.builtin !== scene) app.chooseScene(scene);
-  }
+  const scene = scenes.includes(wanted.scene) ? wanted.scene : FIRST.scene;
+  if (!wanted.sceneShown && app.builtin !== scene) app.chooseScene(scene);
   app.chooseSize(wanted.size ?? "fit");
   app.setCamera(wanted.camera ?? "");
   if (wanted.camera && !app.resolved()) {

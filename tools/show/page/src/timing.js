@@ -7,7 +7,8 @@ import {round} from "./scale.js";
 const UNIT = "learnopengl";  // whose AO is the unit of costs, as in `crevice bench`
 const TIME_AFTER_MS = 400;   // of the last frame
 const ROUNDS = 5;            // of turns,
-const ROUNDS_MS = 1000;      // or as many as fit in this time
+const LEAST_ROUNDS = 3;      // or as many, from these on,
+const ROUNDS_MS = 1000;      // as fit in this time
 
 export const ms = x => `${x >= 1000 ? Math.round(x) : round(x, 3)} ms`;
 export const median = values => [...values].sort((a, b) => a - b)[values.length >> 1];
@@ -29,13 +30,13 @@ export class Timing {
 
   /// Leaves in `sides` what each config took, and emits "times". What is drawn meanwhile is timed afterwards.
   async time() {
-    const {app, frames} = this;
+    const {app, frames} = this, {tab} = app;
     if (this.timing) return void (this.again = true);
     if (!app.stateA() || app.drawing.failed) return;
     Object.assign(this, {timing: true, again: false});
     const sides = this.listed(), begin = performance.now(), {runs} = sides[0];
-    const changed = () => frames !== this.frames || app.drawing.isPending();
-    for (let turn = 0; turn < ROUNDS && !changed() && (!runs.length || performance.now() - begin < ROUNDS_MS); ++turn)
+    const changed = () => frames !== this.frames || tab !== app.tab || app.drawing.isPending();
+    for (let turn = 0; turn < ROUNDS && !changed() && (turn < LEAST_ROUNDS || performance.now() - begin < ROUNDS_MS); ++turn)
       await this.takeTurn(sides);
     this.timing = false;
     if (this.again) this.later();

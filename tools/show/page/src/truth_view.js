@@ -120,10 +120,10 @@ export class TruthView {
   compare() {
     const {app} = this;
     if (!this.image || this.stale || app.sides().left.slot !== 0) return this.showNumbers();
-    const answer = app.ask(() => app.engine.compare(0, this.image));
+    const {picture, ...answer} = app.ask(() => app.engine.compare(0, this.image));
     this.figures = answer.ok ? answer : null;
     this.showNumbers();
-    this.drawOverlay();
+    this.drawOverlay(picture);
   }
   showNumbers() {
     const {figures} = this, signed = x => (x >= 0 ? "+" : "−") + Math.abs(x).toFixed(4);
@@ -137,15 +137,13 @@ export class TruthView {
       : "Press Truth: the view is ray-traced here, and AO is compared with it.";
   }
 
-  drawOverlay() {
+  drawOverlay(picture) {
     const {app, overlay} = this, [w, h] = app.engine.size;
     overlay.hidden = !this.on || this.stale || !this.image || !this.figures;
     if (overlay.hidden) return;
     const [low, high] = $("scale").querySelectorAll("span"), {range} = this.figures;
-    low.textContent = `−${range} too dark`;
-    high.textContent = `too bright +${range}`;
-    const picture = app.guard(() => app.engine.heat(0, this.image));
-    if (!picture) return;
+    low.textContent = `dark −${range}`;
+    high.textContent = `+${range} bright`;
     if (overlay.width !== w || overlay.height !== h) Object.assign(overlay, {width: w, height: h});
     this.paint.putImageData(picture, 0, 0);
     this.clip();

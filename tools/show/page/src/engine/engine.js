@@ -174,17 +174,15 @@ class Engine {
 
   // ---- Against the truth
 
-  compare(slot, truth) { return this.withFloats(truth, at => this.calls.compare(slot, at, 0)); }
-
-  /// The difference from the truth as ImageData; null where there is none.
-  heat(slot, truth) {
+  /// Figures of the difference from the truth, and `picture`, which is that as ImageData.
+  compare(slot, truth) {
     const [width, height] = this.size, size = width * height * 4;
     return this.withFloats(truth, at => {
       const heat = this.module._malloc(size);
       const answer = this.calls.compare(slot, at, heat);
       const pixels = new Uint8ClampedArray(this.module.HEAPU8.slice(heat, heat + size));
       this.module._free(heat);
-      return answer.ok ? new ImageData(pixels, width, height) : null;
+      return {...answer, picture: new ImageData(pixels, width, height)};
     });
   }
 
