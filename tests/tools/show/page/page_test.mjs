@@ -88,7 +88,7 @@ test('Configs stand in the order of the documentation with a word each, and radi
 });
 
 test('Every config draws what it draws elsewhere', async () => {
-  const page = await open();
+  const page = await open('#config=gtao');  // the page as it opens has turned knobs of mobile
   await look(page, VIEW, SIZE);
   const off = [];
   for (const name of await configs(page)) {
