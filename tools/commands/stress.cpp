@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// crevice stress: how far each config holds on stiff and extreme cases, and where it breaks.
+// crevice stress: at which scales, cameras and inputs a config holds, and where it breaks.
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/reference/reference_cache.h"
@@ -207,7 +207,7 @@ int stress(StressCommand command)
 void addStressCommand(CLI::App& app, int& exit_code)
 {
     CLI::App* command =
-        app.add_subcommand("stress", "Find where configs break on stiff and extreme cases");
+        app.add_subcommand("stress", "Find at which scales, cameras and inputs configs break");
     auto options = std::make_shared<StressCommand>();
     command->add_option("CONFIG", options->stress.configs,
                         "Shipped configs' names, or files. Default: all shipped ones");
