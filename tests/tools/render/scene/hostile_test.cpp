@@ -73,6 +73,33 @@ TEST_CASE("a scene whose triangles have no area is an error")
     }
 }
 
+TEST_CASE("more primitives or lights than a file of its size may have are refused")
+{
+    const TemporaryFolder folder("scene_parts");
+    const auto refused = [&](const std::string& primitives, const std::string& lights) {
+        const std::string text =
+            R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)" +
+            std::string("AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA") +
+            R"("}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+            "extensionsUsed": ["KHR_lights_punctual"],
+            "extensions": {"KHR_lights_punctual": {"lights": [)" +
+            lights + R"(]}},
+            "meshes": [{"primitives": [)" +
+            primitives + R"(]}], "nodes": [{"mesh": 0}],
+            "scenes": [{"nodes": [0]}], "scene": 0})";
+        return onlyError(importScene(folder.write("parts.gltf", text))).message;
+    };
+    const auto many = [](int count, const std::string& text) {
+        std::string all = text;
+        for (int i = 1; i < count; ++i) all += ", " + text;
+        return all;
+    };
+    const std::string triangle = R"({"attributes": {"POSITION": 0}})";
+    CHECK_THAT(refused(many(50000, triangle), R"({"type": "point"})"),
+               Catch::Contains("50000 primitives"));
+}
+
 TEST_CASE("a PLY file that ends within its header is an error at once")
 {
     const TemporaryFolder folder("scene_cut");

@@ -233,6 +233,10 @@ Status checkCounts(const aiScene& scene, const std::string& path, std::uint64_t 
     }
     if (nodes > limits.nodes)
         return overLimit(path, "nodes and meshes at them", nodes, limits.nodes, bytes);
+    if (scene.mNumMeshes > limits.parts)
+        return overLimit(path, "primitives", scene.mNumMeshes, limits.parts, bytes);
+    if (scene.mNumLights > limits.parts)
+        return overLimit(path, "lights", scene.mNumLights, limits.parts, bytes);
     if (triangles > limits.triangles)
         return overLimit(path, "triangles", triangles, limits.triangles, bytes);
     if (drawn > limits.drawn)

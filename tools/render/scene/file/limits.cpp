@@ -31,11 +31,12 @@ constexpr double kLongestWait = 600;  // s
 
 // A triangle takes at least a byte, compressed, and its reader some 300; a texel 16 and as many
 // while it is decoded, and a byte of a JPEG holds up to ten. A node takes 16 bytes in JSON and 1100
-// in Assimp. What small files may have beyond that fits into a gigabyte.
+// in Assimp; a primitive 30 in JSON and 7000 here and on the GPU. What small files may have beyond
+// that fits into a gigabyte.
 SceneLimits sceneLimits(std::uint64_t bytes)
 {
     const auto size = static_cast<double>(bytes);
-    return {65536 + size / 16, 2e6 + 2 * size, 8e6 + 4 * size, 2e7 + 16 * size};
+    return {65536 + size / 16, 32768 + size / 256, 2e6 + 2 * size, 8e6 + 4 * size, 2e7 + 16 * size};
 }
 
 ChildLimits readerLimits(std::uint64_t bytes, const ImportOptions& options)

@@ -11,7 +11,8 @@ namespace crevice {
 /// At most. All grow with the size of the scene's files.
 struct SceneLimits {
     double nodes;      ///< And meshes at them, as often as they are drawn.
-    double triangles;  ///< Of all meshes.
+    double parts;      ///< Primitives, and lights.
+    double triangles;  ///< Of all primitives.
     double drawn;      ///< Triangles of all instances.
     double texels;     ///< Of all textures.
 };
