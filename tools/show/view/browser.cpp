@@ -3,9 +3,11 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <thread>
 
 extern char** environ;
 
@@ -13,8 +15,6 @@ namespace crevice {
 
 bool openBrowser(const std::string& address)
 {
-    std::signal(SIGCHLD, SIG_IGN);  // no child stays a zombie
-
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -25,7 +25,6 @@ bool openBrowser(const std::string& address)
     posix_spawnattr_init(&attributes);
     sigset_t defaults;
     sigemptyset(&defaults);
-    sigaddset(&defaults, SIGCHLD);
     sigaddset(&defaults, SIGPIPE);
     posix_spawnattr_setsigdefault(&attributes, &defaults);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGDEF);
@@ -37,7 +36,9 @@ bool openBrowser(const std::string& address)
         posix_spawnp(&child, program.c_str(), &files, &attributes, arguments, environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
-    return failure == 0;
+    if (failure != 0) return false;
+    std::thread([child] { waitpid(child, nullptr, 0); }).detach();  // so it stays no zombie
+    return true;
 }
 
 }  // namespace crevice
