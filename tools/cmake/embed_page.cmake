@@ -22,12 +22,16 @@ namespace crevice {
 
 std::string_view ${FUNCTION}();
 
+// Longer than the 65536 bytes that the standard asks of compilers.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored \"-Woverlength-strings\"
 std::string_view ${FUNCTION}()
 {
     static constexpr char text[] =
     \"${hex}\";
     return {text, sizeof(text) - 1};
 }
+#pragma GCC diagnostic pop
 
 }  // namespace crevice
 ")
