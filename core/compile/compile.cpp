@@ -23,16 +23,18 @@ State begin(const Description& description, const SceneTraits& traits, const Dev
     std::map<std::string_view, int> targets;
     for (const TargetDesc& each : description.targets)
         targets.emplace(each.name, static_cast<int>(targets.size()));
+    const auto target = [&targets](const std::string& name) {
+        const auto found = targets.find(name);
+        return found == targets.end() ? -1 : found->second;
+    };
     for (std::size_t i = 0; i < state.targets.size(); ++i)
-        if (const auto of = targets.find(description.targets[i].size.of.name); of != targets.end())
-            state.targets[i].followed = of->second;
+        state.targets[i].followed = target(description.targets[i].size.of.name);
     for (const PassDesc& desc : description.passes) {
         Pass pass;
         pass.desc = &desc;
         pass.shader = indexOf(description.shaders, desc.shader.name);
-        for (const Reference& color : desc.color)
-            pass.color.push_back(indexOf(description.targets, color.name));
-        pass.depth = indexOf(description.targets, desc.depth.name);
+        for (const Reference& color : desc.color) pass.color.push_back(target(color.name));
+        pass.depth = target(desc.depth.name);
         state.passes.push_back(std::move(pass));
     }
     return state;

@@ -17,9 +17,10 @@ constexpr std::size_t kMaxSettings = 16384;  // of one feature; each takes some 
 using Level = FeatureDesc::Level;
 using Setting = FeatureDesc::Setting;
 
-void checkWord(const FeatureDesc& feature, const Reference& word, Report& report)
+void checkWord(const FeatureDesc& feature, const std::set<std::string>& words,
+               const Reference& word, Report& report)
 {
-    if (contains(feature.values, word.name) || report.errorAt(feature.pointer + "/values")) return;
+    if (words.count(word.name) > 0 || report.errorAt(feature.pointer + "/values")) return;
     report.at(word, Code::feature_value,
               "feature '" + feature.name + "' has no value '" + word.name + "'",
               suggestName(word.name, feature.values, "values"));
@@ -111,8 +112,9 @@ void readLevels(const Node& document, Description& description, Report& report)
     for (const FeatureDesc& each : description.features) declared.push_back(each.name);
     for (FeatureDesc& feature : description.features) {
         std::map<std::string, Setting> names;
+        const std::set<std::string> words(feature.values.begin(), feature.values.end());
         for (Level& level : feature.sets) {
-            checkWord(feature, level.word, report);
+            checkWord(feature, words, level.word, report);
             auto& all = level.settings;
             all.erase(std::remove_if(all.begin(), all.end(),
                                      [&](const Setting& each) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace crevice::table {
 
@@ -238,6 +239,7 @@ bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
     if (cursor.node.kind != Node::Kind::array)
         return wrongType(report, cursor, "a list", "write a list such as [\"off\", \"on\"]");
     if (cursor.node.items.size() < 2) return wrongLength(report, cursor, "at least two words");
+    std::set<std::string> seen;
     const auto one = [&](const Cursor& item) {
         const std::string& word = out.words.emplace_back(item.node.text);
         if (item.node.kind != Node::Kind::string) return wrongType(report, item, "a word");
@@ -247,7 +249,7 @@ bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
                            "write lower-case letters, digits and '_'");
             return false;
         }
-        if (std::count(out.words.begin(), out.words.end(), word) == 1) return true;
+        if (seen.insert(word).second) return true;
         report.atValue(item, Code::name_collision, item.label + ": '" + word + "' is there twice",
                        "take one of them away");
         return false;

@@ -150,6 +150,16 @@ double timeOf(const MemorySources& sources, Diagnostics& found)
     return double(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
+// The address sanitizer makes comparisons of names slow, and all else less so.
+bool timesCount()
+{
+#ifdef __has_feature
+    return !__has_feature(address_sanitizer);
+#else
+    return true;
+#endif
+}
+
 }  // namespace
 
 TEST_CASE("twice as much of anything takes little more than twice the time", "[decode]")
@@ -165,7 +175,7 @@ TEST_CASE("twice as much of anything takes little more than twice the time", "[d
             half = std::min(half, timeOf(smaller, found));
             whole = std::min(whole, timeOf(larger, found));
         }
-        CHECK(whole <= 2.5 * half + kNoise);
+        if (timesCount()) CHECK(whole <= 2.5 * half + kNoise);
         CHECK(found.size() <= kMaxDiagnostics);
     }
 }
