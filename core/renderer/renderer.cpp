@@ -191,11 +191,13 @@ const Frame& Renderer::asHostDraws(const Frame& frame)
     const Device& device = *state_->device;
     const ClipControl control = device.clipControl();
     // Where crevice alone draws depth, the host's range, one for its sky say, means nothing.
-    DepthRange range;
-    for (const ImportDesc& import : plan().imports)
-        if (import.type == ImportType::texture &&
-            formatInfo(formatFromName(import.format)).format_class == FormatClass::depth)
-            range = device.depthRange();
+    const auto is_depth = [](const ImportDesc& import) {
+        return import.type == ImportType::texture &&
+               formatInfo(formatFromName(import.format)).format_class == FormatClass::depth;
+    };
+    const auto& imports = plan().imports;
+    const bool reads_depth = std::any_of(imports.begin(), imports.end(), is_depth);
+    const DepthRange range = reads_depth ? device.depthRange() : DepthRange();
     if (control == ClipControl() && range == DepthRange()) return frame;
     clipped_ = frame;
     const auto take = [&](Camera& camera) {
