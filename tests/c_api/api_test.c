@@ -261,6 +261,24 @@ static void check_patch(crevice_device* device)
     crevice_effect_destroy(effect);
 }
 
+/// What a config may ask for at most.
+static void check_limits(crevice_device* device)
+{
+    crevice_effect* effect = NULL;
+    crevice_effect_desc desc = {.struct_size = sizeof desc, .width = 64, .height = 36};
+    desc.config = kConfig;
+    desc.max_passes = 1;
+    EXPECT(1209, crevice_effect_create(device, &desc, &effect));
+    desc.max_passes = -1;
+    EXPECT(6011, crevice_effect_create(device, &desc, &effect));
+    desc.max_passes = 0;
+    desc.max_bytes = 1;
+    EXPECT(1209, crevice_effect_create(device, &desc, &effect));
+    desc.max_bytes = -1;
+    EXPECT(6011, crevice_effect_create(device, &desc, &effect));
+    CHECK(effect == NULL);
+}
+
 int main(void)
 {
     check_nulls();
@@ -296,6 +314,7 @@ int main(void)
     check_settings(effect);
     check_lists(effect);
     check_patch(device);
+    check_limits(device);
     EXPECT(6010, crevice_effect_render(effect));  // without its texture
     EXPECT(1201, crevice_effect_reload(effect, "no_such_config"));
     EXPECT(0, crevice_effect_resize(effect, 32, 18));

@@ -29,6 +29,8 @@ Result<EffectRequest> requestOf(const crevice_effect_desc& desc)
         if (asked < 0) return Diagnostic{Code::bad_input, "a limit of the config is below 0"};
         if (asked > 0) *limit = asked;
     }
+    if (!(desc.max_bytes >= 0))
+        return Diagnostic{Code::bad_input, "a limit of the config is below 0"};
     if (desc.max_bytes > 0) limits.bytes = desc.max_bytes;
     if (Status given = checkGiven(desc.config, "the config"); !given) return given.diagnostics();
     if (desc.output_count < 0) return Diagnostic{Code::bad_input, "output_count is below 0"};
@@ -96,6 +98,13 @@ void takeClip(const Frame& frame, Camera& camera)
 {
     camera.clip_control = frame.camera.clip_control;
     camera.depth_range = frame.camera.depth_range;
+}
+
+Status shareClip(crevice_effect& effect)
+{
+    Frame& frame = effect.effect->frame();
+    for (FrameView& view : frame.other_views) takeClip(frame, view.camera);
+    return {};
 }
 
 Status setViews(crevice_effect& effect, const crevice_view* views, int count)
@@ -218,9 +227,7 @@ crevice_error* crevice_effect_set_clip_control(crevice_effect* effect, bool zero
 {
     return onEffect(effect, [&] {
         effect->effect->setClipControl({zero_to_one, upper_left});
-        Frame& frame = effect->effect->frame();
-        for (FrameView& view : frame.other_views) takeClip(frame, view.camera);
-        return Status();
+        return shareClip(*effect);
     });
 }
 
@@ -229,9 +236,7 @@ crevice_error* crevice_effect_set_depth_range(crevice_effect* effect, float near
 {
     return onEffect(effect, [&] {
         effect->effect->setDepthRange({near_depth, far_depth});
-        Frame& frame = effect->effect->frame();
-        for (FrameView& view : frame.other_views) takeClip(frame, view.camera);
-        return Status();
+        return shareClip(*effect);
     });
 }
 
