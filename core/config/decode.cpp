@@ -49,7 +49,8 @@ Status checkLimits(const Node& document, const Limits& limits)
         errors.push_back({Code::over_limit,
                           "the config has " + std::to_string(entries->members.size()) + " " +
                               section + ", and at most " + std::to_string(count) + " may be",
-                          std::string("leave some out; the limit is Limits::") + section,
+                          "leave some out, or raise Limits::" + std::string(section) +
+                              " (--limit " + section + "=N)",
                           table::lastPlace(*entries), memberPointer("", section)});
     }
     return errors;

@@ -96,7 +96,7 @@ struct FileReader {
         report
             .at(reference, Code::over_limit,
                 "the config names more than " + std::to_string(most) + " GLSL files",
-                "merge some into one; the limit is Limits::files")
+                "merge some into one, or raise Limits::files (--limit files=N)")
             .mistake = "too many files";
         return true;
     }

@@ -366,9 +366,10 @@ bool FileLoader::isFull(const LoadedFile& file)
     const int most = request_.limits.files;
     if (static_cast<int>(files.size() + open_.size()) < most) return false;
     if (!full_)
-        errors.push_back(
-            {Code::over_limit, "the config extends more than " + std::to_string(most) + " files",
-             "merge some into one; the limit is Limits::files", file.place, file.pointer});
+        errors.push_back({Code::over_limit,
+                          "the config extends more than " + std::to_string(most) + " files",
+                          "merge some into one, or raise Limits::files (--limit files=N)",
+                          file.place, file.pointer});
     full_ = true;
     return true;
 }
