@@ -5,231 +5,358 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/json/merge.h"
-#include "core/json/syntax.h"
-
-// Core is built without exceptions, while a program that links it may use nlohmann-json with them.
-// Both would emit inline functions of the same names but other content, of which the linker keeps
-// one at random. A namespace of our own keeps them apart.
-#define NLOHMANN_JSON_NAMESPACE nlohmann::crevice_core
-#define NLOHMANN_JSON_NAMESPACE_BEGIN \
-    namespace nlohmann { \
-    inline namespace crevice_core {
-#define NLOHMANN_JSON_NAMESPACE_END \
-    } \
-    }
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <charconv>
+#include <cmath>
 #include <map>
-#include <utility>
 
 namespace crevice {
 
 namespace {
 
-using Json = nlohmann::json;
+constexpr std::size_t kMaxShown = 40;  // bytes of an offending token in a message
 
-// Receives the events of nlohmann-json's parser and builds the tree. The events carry no position,
-// but they come in the order of the text: the builder goes with them from token to token.
-class TreeBuilder {
+constexpr const char* kPairs =
+    "an object holds pairs, with the key in double quotes: \"key\": value";
+constexpr const char* kValue =
+    "text stands in double quotes, true, false and null are in lower case, and a number is finite "
+    "and looks like 12, -0.5 or 1e-3, decimal and without a unit";
+
+// The place of `length` bytes at `offset`, as far as its line goes.
+Place placeAt(const SourceRef& source, std::size_t offset, std::size_t length = 1)
+{
+    const std::string_view text = source->text;
+    const std::string_view before = text.substr(0, offset);
+    const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
+    const std::size_t line_end = std::min(text.find('\n', offset), text.size());
+    Place place{source};
+    place.line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
+    place.column = static_cast<int>(before.size() - line_begin) + 1;
+    place.length = static_cast<int>(std::max<std::size_t>(std::min(length, line_end - offset), 1));
+    return place;
+}
+
+std::string quotedToken(std::string_view token)
+{
+    const std::string shown = printableLine(utf8Prefix(token, kMaxShown));
+    return "'" + shown + (token.size() > kMaxShown ? "...'" : "'");
+}
+
+// Bytes of white space at `at`.
+std::size_t spaceLength(std::string_view text, std::size_t at)
+{
+    return std::min(text.find_first_not_of(" \t\r\n", at), text.size()) - at;
+}
+
+// Bytes of the comment at `at`; 0 when none begins there, npos when it does not end.
+std::size_t commentLength(std::string_view text, std::size_t at)
+{
+    const std::string_view opening = text.substr(at, 2);
+    if (opening == "//") return std::min(text.find_first_of("\r\n", at), text.size()) - at;
+    if (opening != "/*") return 0;
+    const std::size_t end = text.find("*/", at + 2);
+    return end == text.npos ? end : end + 2 - at;
+}
+
+// Whether it is a number as JSON writes it: none of 01, .5, 5. and +1 is.
+bool isNumber(std::string_view text)
+{
+    const auto take = [&text](std::string_view any, std::size_t most) {
+        const std::size_t count = std::min({text.find_first_not_of(any), text.size(), most});
+        text.remove_prefix(count);
+        return count > 0;
+    };
+    const auto digits = [&take](std::size_t most) { return take("0123456789", most); };
+    take("-", 1);
+    if (!digits(startsWith(text, "0") ? 1 : text.npos)) return false;
+    if (take(".", 1) && !digits(text.npos)) return false;
+    if (!take("eE", 1)) return text.empty();
+    take("+-", 1);
+    return digits(text.npos) && text.empty();
+}
+
+void appendUtf8(std::string& out, std::uint32_t code)
+{
+    if (code < 0x80) return out.push_back(static_cast<char>(code));
+    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    out += static_cast<char>((0xF00u >> more & 0xF0u) | code >> 6 * more);
+    for (int i = more; i-- > 0;) out += static_cast<char>(0x80u | (code >> 6 * i & 0x3Fu));
+}
+
+// The XXXX of a \uXXXX at the front of the text; above 0xFFFF where there is none.
+std::uint32_t unicodeOf(std::string_view text)
+{
+    std::uint32_t code = 0;
+    if (text.size() < 6 || !startsWith(text, "\\u")) return ~code;
+    const char* const end = text.data() + 6;
+    return std::from_chars(text.data() + 2, end, code, 16).ptr == end ? code : ~0u;
+}
+
+// Appends what the escape at the front of the text stands for. Its bytes; 0 where it is none.
+std::size_t appendEscape(std::string& out, std::string_view text)
+{
+    const std::size_t known = std::string_view("\"\\/bfnrt").find(text[1]);
+    if (known != text.npos) {
+        out += "\"\\/\b\f\n\r\t"[known];
+        return 2;
+    }
+    const std::uint32_t code = unicodeOf(text);
+    const std::uint32_t low = unicodeOf(text.substr(std::min<std::size_t>(6, text.size())));
+    const bool pair = code >= 0xD800 && code < 0xDC00 && low >= 0xDC00 && low < 0xE000;
+    if (!pair && (code > 0xFFFF || (code >= 0xD800 && code < 0xE000))) return 0;
+    appendUtf8(out, pair ? 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00) : code);
+    return pair ? 12 : 6;
+}
+
+// Reads token by token, up to the first that makes no sense.
+class Parser {
 public:
-    // `text` is that of the source as strict JSON.
-    TreeBuilder(const SourceRef& source, std::string_view text) : source_(source), text_(text)
+    explicit Parser(const SourceRef& source) : source_(source), text_(source->text) { take(0); }
+
+    // The tree, or every error found.
+    Result<Node> run()
     {
-        take(0);
+        Node root;
+        if (at_ == text_.size())
+            return Diagnostic{Code::empty_text,
+                              "found nothing but white space and comments",
+                              "begin with { \"format\": 1 }",
+                              {source_, 1, 1}};
+        if (read(root, "a value", "a document begins with '{'") && at_ < text_.size())
+            fail("the end of the text", "a text holds one value, an object within braces");
+        if (errors_.empty()) return root;
+        const auto before = [](const Diagnostic& a, const Diagnostic& b) {
+            return std::pair(a.place.line, a.place.column) <
+                   std::pair(b.place.line, b.place.column);
+        };
+        std::stable_sort(errors_.begin(), errors_.end(), before);
+        cutShort(errors_);
+        return std::move(errors_);
     }
 
-    // The names of these thirteen are the parser's.
-    bool null() { return add(Node::Kind::null, 4); }
-    bool boolean(bool value);
-    bool number_integer(std::int64_t value);
-    bool number_unsigned(std::uint64_t value) { return number(std::to_string(value).size()); }
-    bool number_float(double, const std::string& text) { return number(text.size()); }
-    bool string(std::string& value);
-    bool binary(Json::binary_t&) { return false; }  // JSON text has none
-    bool start_object(std::size_t) { return open(Node::Kind::object); }
-    bool key(std::string& name);
-    bool end_object();
-    bool start_array(std::size_t) { return open(Node::Kind::array); }
-    bool end_array() { return close(); }
-    bool parse_error(std::size_t, const std::string&, const Json::exception&);
-
-    // The tree, or every error found. `whole` is what the parser returned.
-    Result<Node> finish(bool whole);
-
 private:
-    Place take(std::size_t length);
-    Node* add(Node::Kind kind, std::size_t length);
-    bool number(std::size_t length);
-    bool open(Node::Kind kind);
-    bool close();
-    std::string pointer() const;
-    void checkKeys();
+    char here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
 
-    SourceRef source_;
-    std::string_view text_;
+    void advance(std::size_t length)
+    {
+        for (const std::size_t end = at_ + length; at_ < end; ++at_)
+            if (text_[at_] == '\n') {
+                ++line_;
+                line_begin_ = at_ + 1;
+            }
+    }
+
+    // The place of the token, from which it moves to the next one.
+    Place take(std::size_t length)
+    {
+        const Place place{source_, line_, static_cast<int>(at_ - line_begin_) + 1,
+                          static_cast<int>(length)};
+        advance(length);
+        end_ = at_;
+        const auto blank = [&] {
+            return std::max(spaceLength(text_, at_), commentLength(text_, at_));
+        };
+        for (std::size_t next = blank(); next > 0; next = blank()) {
+            if (next == text_.npos) {
+                stop({Code::syntax, "found a comment that does not end", "close it with '*/'",
+                      placeAt(source_, at_, 2)});
+                break;
+            }
+            advance(next);
+        }
+        return place;
+    }
+
+    bool take(Node& node, Node::Kind kind, std::size_t length)
+    {
+        node.kind = kind;
+        node.place = take(length);
+        keyed_ = false;
+        return true;
+    }
+
+    bool read(Node& node, const char* wanted, const char* help = kValue)
+    {
+        if (here() == '{' || here() == '[') return readAll(node);
+        const bool string = here() == '"';
+        const std::size_t length = string ? readString(node.text) : wordLength();
+        if (string) return length > 0 && take(node, Node::Kind::string, length);
+        const std::string_view word = text_.substr(at_, length);
+        if (word == "null") return take(node, Node::Kind::null, length);
+        node.boolean = word == "true";
+        if (node.boolean || word == "false") return take(node, Node::Kind::boolean, length);
+        if (!isNumber(word)) return fail(wanted, help);
+        node.text = word;
+        node.number = *parseNumber(word);
+        if (std::isfinite(node.number)) return take(node, Node::Kind::number, length);
+        return stop({Code::number_range, "the number " + quotedToken(word) + " is too large",
+                     "the largest number is about 1.8e308", placeAt(source_, at_, length)});
+    }
+
+    // An object or array.
+    bool readAll(Node& node)
+    {
+        const bool object = here() == '{';
+        const char close = object ? '}' : ']';
+        if (open_.size() == kMaxDocumentDepth)
+            return stop({Code::too_deep,
+                         "found more than " + std::to_string(kMaxDocumentDepth) +
+                             " levels of objects and arrays",
+                         "is a closing bracket missing? no config is that deep", take(1)});
+        take(node, object ? Node::Kind::object : Node::Kind::array, 1);
+        open_.push_back(&node);  // stable, as only the last of them grows
+        const char* wanted = object ? "a key or '}'" : "a value or ']'";
+        while (here() != close) {
+            if (object ? !readMember(node, wanted) : !read(node.items.emplace_back(), wanted))
+                return false;
+            if (here() == close) break;
+            if (here() != ',')
+                return fail(object ? "',' or '}'" : "',' or ']'",
+                            object ? "is a comma missing before it? or close with '}'"
+                                   : "is a comma missing before it? or close with ']'");
+            take(1);
+            wanted = object ? "a key" : "a value";
+        }
+        checkKeys(open_.size() - 1);
+        open_.pop_back();
+        take(1);
+        return true;
+    }
+
+    bool readMember(Node& node, const char* wanted)
+    {
+        if (here() != '"') return fail(wanted, kPairs);
+        std::string name;
+        const std::size_t length = readString(name);
+        if (length == 0) return false;
+        if (node.members.size() == kMaxMembers) return stop(tooManyMembers(take(length), {}));
+        node.members.push_back({std::move(name), take(length), {}});
+        keyed_ = true;
+        if (here() != ':') return fail("':'", "write ':' between a key and its value");
+        take(1);
+        return read(node.members.back().value, "a value");
+    }
+
+    // Bytes of the number or word here, be it right or wrong, at least one character.
+    std::size_t wordLength() const
+    {
+        const auto belongs = [](char c) {
+            return isWord(c) || std::string_view("$+-.").find(c) != std::string_view::npos;
+        };
+        std::size_t end = at_;
+        while (end < text_.size() && belongs(text_[end])) ++end;
+        if (end > at_ || end == text_.size()) return end - at_;
+        return std::max<std::size_t>(utf8Length(text_, at_), 1);
+    }
+
+    // Bytes of the string here, with its quotes; 0, with an error, where it is broken.
+    std::size_t readString(std::string& out)
+    {
+        const std::string_view line = text_.substr(at_, text_.find_first_of("\r\n", at_) - at_);
+        std::size_t at = 1;
+        while (at < line.size() && line.substr(at) != "\\") {
+            const char c = line[at];
+            if (c == '"') return at + 1;
+            std::size_t length = static_cast<unsigned char>(c) >= 0x20;
+            if (c == '\\')
+                length = appendEscape(out, line.substr(at));
+            else
+                out += c;
+            if (length == 0) return refuse(line.substr(at), at_ + at);
+            at += length;
+        }
+        stop({Code::syntax, "found a string that does not end on its line",
+              "close it with '\"'; a line break in a string is written \\n",
+              placeAt(source_, at_, line.size())});
+        return 0;
+    }
+
+    // A byte or an escape that no string has.
+    std::size_t refuse(std::string_view text, std::size_t at)
+    {
+        std::size_t length = 1;
+        if (text[0] == '\\') length += std::max<std::size_t>(utf8Length(text, 1), 1);
+        if (startsWith(text, "\\u"))
+            while (length < std::min<std::size_t>(6, text.size()) && isWord(text[length])) ++length;
+        stop({Code::syntax, "found " + quotedToken(text.substr(0, length)) + " in a string",
+              "a backslash is written \\\\, a quote \\\", a tab \\t, a line break \\n",
+              placeAt(source_, at, length)});
+        return 0;
+    }
+
+    // What is here, or the end of the text, is not what was wanted.
+    bool fail(const std::string& wanted, const char* help)
+    {
+        const Node* const container = open_.empty() ? nullptr : open_.back();
+        const std::string kind = container ? kindName(container->kind) : "";
+        Diagnostic error{Code::syntax};
+        if (at_ == text_.size()) {
+            error.message = "the text ends inside an " + kind;
+            error.help = kind == "object" ? "close it with '}'" : "close it with ']'";
+            error.place = placeAt(source_, end_ - 1);
+        } else {
+            std::string ignored;
+            const std::size_t length = here() == '"' ? readString(ignored) : wordLength();
+            if (length == 0) return false;
+            error.message = "found " + quotedToken(text_.substr(at_, length)) + " where " + wanted +
+                            " was wanted";
+            error.help = help;
+            error.place = placeAt(source_, at_, length);
+        }
+        if (container && (at_ == text_.size() || here() == ']' || here() == '}'))
+            error.notes.push_back({container->place, "the " + kind + " begins here"});
+        return stop(std::move(error));
+    }
+
+    // Reports what ends the reading. Nothing behind it can be told.
+    bool stop(Diagnostic error)
+    {
+        if (std::exchange(stopped_, true)) return false;
+        error.pointer = pointer(open_.size() - (keyed_ || open_.empty() ? 0 : 1));
+        errors_.push_back(std::move(error));
+        for (std::size_t i = 0; i < open_.size(); ++i) checkKeys(i);
+        return false;
+    }
+
+    // Of what is being read in so many of the open objects and arrays.
+    std::string pointer(std::size_t count) const
+    {
+        std::string path;
+        for (std::size_t i = 0; i < count; ++i)
+            path = open_[i]->kind == Node::Kind::object
+                       ? memberPointer(path, open_[i]->members.back().key)
+                       : path + '/' + std::to_string(open_[i]->items.size() - 1);
+        return path;
+    }
+
+    // By a map, because comparing each key with each takes minutes for a file of nothing but keys.
+    void checkKeys(std::size_t open)
+    {
+        std::map<std::string_view, Place> first;
+        for (const Member& member : open_[open]->members) {
+            const auto [known, fresh] = first.emplace(member.key, member.key_place);
+            if (fresh) continue;
+            errors_.push_back({Code::duplicate_key,
+                               "found the key '" + member.key + "' a second time",
+                               "keep one of them",
+                               member.key_place,
+                               memberPointer(pointer(open), member.key),
+                               {{known->second, "the first one is here"}}});
+        }
+    }
+
+    const SourceRef& source_;
+    const std::string_view text_;
     std::size_t end_ = 0;  // behind the last token
     std::size_t at_ = 0;   // of the token behind that
     std::size_t line_begin_ = 0;
     int line_ = 1;
-    SyntaxStop::After after_ = SyntaxStop::After::nothing;
-    Node root_;
-    std::vector<Node*> open_;  // outermost first; stable, as only the last of them grows
+    bool keyed_ = false;       // a key was read, and not its value
+    std::vector<Node*> open_;  // outermost first
+    bool stopped_ = false;
     Diagnostics errors_;
 };
-
-// The place of the token, from which it moves to the next one.
-Place TreeBuilder::take(std::size_t length)
-{
-    const Place place{source_, line_, static_cast<int>(at_ - line_begin_) + 1,
-                      static_cast<int>(length)};
-    end_ = at_ + length;
-    at_ = std::min(text_.find_first_not_of(" \t\r\n,:", end_), text_.size());
-    for (std::size_t i = end_; i < at_; ++i)
-        if (text_[i] == '\n') {
-            ++line_;
-            line_begin_ = i + 1;
-        }
-    return place;
-}
-
-Node* TreeBuilder::add(Node::Kind kind, std::size_t length)
-{
-    Node* node = &root_;
-    if (!open_.empty() && open_.back()->kind == Node::Kind::array)
-        node = &open_.back()->items.emplace_back();
-    else if (!open_.empty())
-        node = &open_.back()->members.back().value;
-    node->kind = kind;
-    node->place = take(length);
-    after_ = SyntaxStop::After::value;
-    return node;
-}
-
-bool TreeBuilder::boolean(bool value)
-{
-    add(Node::Kind::boolean, value ? 4 : 5)->boolean = value;
-    return true;
-}
-
-// A negative one, or -0.
-bool TreeBuilder::number_integer(std::int64_t value)
-{
-    return number(value == 0 ? 2 : std::to_string(value).size());
-}
-
-// Read by our own function, which the host's locale does not change.
-bool TreeBuilder::number(std::size_t length)
-{
-    const std::string_view written = text_.substr(at_, length);
-    Node* node = add(Node::Kind::number, length);
-    node->text = written;
-    node->number = *parseNumber(written);
-    return true;
-}
-
-bool TreeBuilder::string(std::string& value)
-{
-    add(Node::Kind::string, stringLength(text_, at_))->text = std::move(value);
-    return true;
-}
-
-bool TreeBuilder::key(std::string& name)
-{
-    if (open_.back()->members.size() == kMaxMembers) {
-        errors_.push_back(tooManyMembers(take(stringLength(text_, at_)), pointer()));
-        return false;
-    }
-    open_.back()->members.push_back({std::move(name), take(stringLength(text_, at_)), {}});
-    after_ = SyntaxStop::After::key;
-    return true;
-}
-
-bool TreeBuilder::open(Node::Kind kind)
-{
-    if (open_.size() == kMaxDocumentDepth) {
-        errors_.push_back({Code::too_deep,
-                           "found more than " + std::to_string(kMaxDocumentDepth) +
-                               " levels of objects and arrays",
-                           "is a closing bracket missing? no config is that deep", take(1)});
-        return false;
-    }
-    open_.push_back(add(kind, 1));
-    after_ = SyntaxStop::After::opening;
-    return true;
-}
-
-bool TreeBuilder::close()
-{
-    take(1);
-    open_.pop_back();
-    after_ = SyntaxStop::After::value;
-    return true;
-}
-
-bool TreeBuilder::end_object()
-{
-    checkKeys();
-    return close();
-}
-
-// Of the innermost object or array.
-std::string TreeBuilder::pointer() const
-{
-    std::string path;
-    for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
-        const Node& node = *open_[i];
-        path = node.kind == Node::Kind::object ? memberPointer(path, node.members.back().key)
-                                               : path + '/' + std::to_string(node.items.size() - 1);
-    }
-    return path;
-}
-
-// By a map, because comparing each key with each takes minutes for a file made of nothing but keys.
-void TreeBuilder::checkKeys()
-{
-    std::map<std::string_view, Place> first;
-    for (const Member& member : open_.back()->members) {
-        const auto [known, fresh] = first.emplace(member.key, member.key_place);
-        if (fresh) continue;
-        errors_.push_back({Code::duplicate_key,
-                           "found the key '" + member.key + "' a second time",
-                           "keep one of them",
-                           member.key_place,
-                           memberPointer(pointer(), member.key),
-                           {{known->second, "the first one is here"}}});
-    }
-}
-
-bool TreeBuilder::parse_error(std::size_t read, const std::string&, const Json::exception& cause)
-{
-    const Node* container = open_.empty() ? nullptr : open_.back();
-    const bool in_string = std::strstr(cause.what(), "invalid string");
-    Diagnostic error =
-        explainSyntax({source_, text_, end_, after_, container, in_string ? read - 1 : 0});
-    error.pointer = pointer();
-    const Member* last = after_ == SyntaxStop::After::key ? &container->members.back() : nullptr;
-    if (last && (error.place.line != last->key_place.line ||
-                 error.place.column != last->key_place.column))  // it is not about the key itself
-        error.pointer = memberPointer(error.pointer, last->key);
-    errors_.push_back(std::move(error));
-    for (; !open_.empty(); open_.pop_back()) checkKeys();
-    return false;
-}
-
-Result<Node> TreeBuilder::finish(bool whole)
-{
-    // The parser takes a zero byte for the end of the text.
-    if (whole && at_ < text_.size())
-        errors_.push_back(explainSyntax({source_, text_, end_, after_, nullptr}));
-    if (errors_.empty()) return std::move(root_);
-    std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
-        return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
-    });
-    cutShort(errors_);
-    return std::move(errors_);
-}
 
 // What makes a text unreadable before its first token is looked at.
 Status checkText(const SourceRef& source)
@@ -253,53 +380,10 @@ Status checkText(const SourceRef& source)
     return {};
 }
 
-// Bytes of the comment at `at`; 0 when none begins there, npos when it does not end.
-std::size_t commentLength(std::string_view text, std::size_t at)
-{
-    const std::string_view opening = text.substr(at, 2);
-    if (opening == "//") return std::min(text.find_first_of("\r\n", at), text.size()) - at;
-    if (opening != "/*") return 0;
-    const std::size_t end = text.find("*/", at + 2);
-    return end == text.npos ? end : end + 2 - at;
-}
-
-// Makes strict JSON of a text: comments, and commas behind the last entry, become blanks. All else
-// stays where it is.
-Status blankOut(const SourceRef& source, std::string& text)
-{
-    std::size_t comma = 0;  // behind an entry, with only blanks and comments since; 0 is none
-    bool entry = false;     // that is what ended last
-    for (std::size_t at = 0, length; at < text.size(); at += length) {
-        const char c = text[at];
-        const std::size_t comment = commentLength(text, at);
-        if (comment == text.npos)
-            return Diagnostic{Code::syntax, "found a comment that does not end",
-                              "close it with '*/'", placeAt(source, at, 2)};
-        for (std::size_t i = at; i < at + comment; ++i)
-            if (text[i] != '\n') text[i] = ' ';
-        length = comment > 0 ? comment : spaceLength(text, at);
-        if (length > 0) continue;
-        length = c == '"' ? stringLength(text, at) : 1;
-        if (comma > 0 && (c == ']' || c == '}')) text[comma] = ' ';
-        comma = entry && c == ',' ? at : 0;
-        entry = c != ',' && c != ':' && c != '[' && c != '{';
-    }
-    return {};
-}
-
 Result<Node> parseText(const SourceRef& source)
 {
-    std::string text = source->text;
-    Status status = checkText(source);
-    if (status) status = blankOut(source, text);
-    if (!status) return status.diagnostics();
-    if (spaceLength(text, 0) == text.size())
-        return Diagnostic{Code::empty_text,
-                          "found nothing but white space and comments",
-                          "begin with { \"format\": 1 }",
-                          {source, 1, 1}};
-    TreeBuilder builder(source, text);
-    return builder.finish(Json::sax_parse(text, &builder));
+    if (Status status = checkText(source); !status) return status.diagnostics();
+    return Parser(source).run();
 }
 
 // True for what is meant as JSON, and whose faults are worth a message; anything else is a word.
