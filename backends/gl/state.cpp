@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Saves the host's GL state, sets what drawing needs, and restores the host's.
+// Saves the host's GL state, sets what drawing needs, and restores the host's. What cannot be set
+// aside is found before, so that drawing is refused.
 #include "backends/gl/state.h"
+
+#include "backends/gl/failure.h"
 
 #include <algorithm>
 #include <iterator>
@@ -84,6 +87,14 @@ constexpr PixelStore kPixelStores[] = {
     {kPackSwapBytes, 0, Where::desktop},           {kUnpackSwapBytes, 0, Where::desktop},
     {kPackInvert, 0, Where::inverted_rows},        {kPackReverseRows, 0, Where::reversed_rows},
 };
+
+// A desktop name that the OpenGL ES headers do not have.
+constexpr GLenum kSamplesPassed = 0x8914;
+
+Diagnostic busy(const std::string& what, const char* help)
+{
+    return failure(Code::host_busy, what + ", which drawing would spoil", help);
+}
 
 }  // namespace
 
@@ -330,6 +341,114 @@ void GlState::restoreUnits()
             gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, units_[unit].multisampled);
     }
     saved_units_ = saved_multisampled_ = 0;
+}
+
+bool GlState::feedbackRuns() const
+{
+    GLboolean active = GL_FALSE, paused = GL_FALSE;
+    if (asks_feedback_) gl_.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &active);
+    if (active) gl_.GetBooleanv(GL_TRANSFORM_FEEDBACK_PAUSED, &paused);
+    return active && !paused;
+}
+
+Status GlState::checkQueries() const
+{
+    const auto active = [this](GLenum target) {
+        GLint query = 0;
+        gl_.GetQueryiv(target, GL_CURRENT_QUERY, &query);
+        return query != 0;
+    };
+    const char* const help = "end it before the call, and begin another one after";
+    const bool conservative = !desktop_ || query_version_ >= 430;
+    const bool primitives = query_version_ >= 320;
+    if ((desktop_ && active(kSamplesPassed)) || active(GL_ANY_SAMPLES_PASSED) ||
+        (conservative && active(GL_ANY_SAMPLES_PASSED_CONSERVATIVE)))
+        return busy("an occlusion query of the host is active", help);
+    if (primitives && active(GL_PRIMITIVES_GENERATED))
+        return busy("a query of primitives of the host is active", help);
+    return {};
+}
+
+Status GlState::checkHost() const
+{
+    if (depth_ > 1) return {};  // within a frame, which asked
+    if (Status status = checkQueries(); !status) return status;
+    if (!(gl_.PauseTransformFeedback && restore_) && feedbackRuns())
+        return busy("transform feedback of the host is active, and cannot be paused",
+                    "end it before the call");
+    GLint program = 0, deleted = GL_FALSE;
+    gl_.GetIntegerv(GL_CURRENT_PROGRAM, &program);
+    if (program != 0 && restore_)
+        gl_.GetProgramiv(static_cast<GLuint>(program), GL_DELETE_STATUS, &deleted);
+    if (deleted)
+        return busy(
+            "the host's current program " + std::to_string(program) + " is marked for deletion",
+            "call glUseProgram(0) before the call, or delete the program later");
+    return {};
+}
+
+// Blending and colour masks, of each draw buffer where the context has them apart.
+
+void GlState::saveMask(int index)
+{
+    DrawBuffer& buffer = saved_.draw_buffers[index];
+    if (gl_.IsEnabledi) {
+        buffer.blend = gl_.IsEnabledi(GL_BLEND, index);
+        gl_.GetIntegeri_v(GL_COLOR_WRITEMASK, index, buffer.mask);
+    } else {
+        buffer.blend = gl_.IsEnabled(GL_BLEND);
+        gl_.GetIntegerv(GL_COLOR_WRITEMASK, buffer.mask);
+    }
+}
+
+void GlState::restoreMask(int index) const
+{
+    const DrawBuffer& b = saved_.draw_buffers[index];
+    auto mask = [&](int channel) { return static_cast<GLboolean>(b.mask[channel] != 0); };
+    if (gl_.IsEnabledi) {
+        (b.blend ? gl_.Enablei : gl_.Disablei)(GL_BLEND, index);
+        gl_.ColorMaski(index, mask(0), mask(1), mask(2), mask(3));
+    } else {
+        setEnabled(GL_BLEND, b.blend);
+        gl_.ColorMask(mask(0), mask(1), mask(2), mask(3));
+    }
+}
+
+void GlState::saveBlend(int index)
+{
+    DrawBuffer& buffer = saved_.draw_buffers[index];
+    auto get = [&](GLenum name, GLint& value) {
+        if (gl_.BlendEquationi)
+            gl_.GetIntegeri_v(name, index, &value);
+        else
+            gl_.GetIntegerv(name, &value);
+    };
+    get(GL_BLEND_SRC_RGB, buffer.source_rgb);
+    get(GL_BLEND_SRC_ALPHA, buffer.source_alpha);
+    get(GL_BLEND_DST_RGB, buffer.target_rgb);
+    get(GL_BLEND_DST_ALPHA, buffer.target_alpha);
+    get(GL_BLEND_EQUATION_RGB, buffer.equation_rgb);
+    get(GL_BLEND_EQUATION_ALPHA, buffer.equation_alpha);
+}
+
+void GlState::restoreBlend(int index) const
+{
+    const DrawBuffer& b = saved_.draw_buffers[index];
+    // The advanced equations of OpenGL ES 3.2 are refused by the "Separate" functions.
+    const bool one_equation = b.equation_rgb == b.equation_alpha;
+    if (gl_.BlendEquationi) {
+        gl_.BlendFuncSeparatei(index, b.source_rgb, b.target_rgb, b.source_alpha, b.target_alpha);
+        if (one_equation)
+            gl_.BlendEquationi(index, b.equation_rgb);
+        else
+            gl_.BlendEquationSeparatei(index, b.equation_rgb, b.equation_alpha);
+    } else {
+        gl_.BlendFuncSeparate(b.source_rgb, b.target_rgb, b.source_alpha, b.target_alpha);
+        if (one_equation)
+            gl_.BlendEquation(b.equation_rgb);
+        else
+            gl_.BlendEquationSeparate(b.equation_rgb, b.equation_alpha);
+    }
 }
 
 }  // namespace crevice

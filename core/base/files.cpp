@@ -83,25 +83,34 @@ std::string absenceOf(const std::string& path)
     return file.missing ? "does not exist" : "cannot be read: " + file.failure;
 }
 
-std::vector<std::string> filesBeside(const std::string& path, const std::string& written,
-                                     std::string_view ending)
+std::vector<std::string> filesBelow(const std::string& folder,
+                                    const std::vector<std::string_view>& endings, int depth,
+                                    int most)
 {
-    constexpr int kMaxSeen = 4096;  // a home folder may hold millions
-    const fs::path parent = fs::path(path).parent_path();
-    const fs::path folder = parent.empty() ? "." : parent;
     std::vector<std::string> files;
     std::error_code error;
     const auto options = fs::directory_options::skip_permission_denied;
     fs::recursive_directory_iterator at(folder, options, error);
-    for (int seen = 0; !error && at != fs::end(at) && seen < kMaxSeen; ++seen) {
-        if (at.depth() == 1) at.disable_recursion_pending();
-        const fs::path name =
-            fs::path(written).parent_path() / at->path().lexically_relative(folder);
+    for (int seen = 0; !error && at != fs::end(at) && seen < most; ++seen) {
+        if (at.depth() == depth) at.disable_recursion_pending();
+        const std::string path = at->path().lexically_relative(folder).generic_string();
+        const auto ends = [&path](std::string_view ending) { return endsWith(path, ending); };
         std::error_code unreadable;  // an entry that cannot be looked at is left out
-        if (endsWith(name.native(), ending) && at->is_regular_file(unreadable))
-            files.push_back(name.string());
+        if (std::any_of(endings.begin(), endings.end(), ends) && at->is_regular_file(unreadable))
+            files.push_back(path);
         at.increment(error);
     }
+    return files;
+}
+
+std::vector<std::string> filesBeside(const std::string& path, const std::string& written,
+                                     std::string_view ending)
+{
+    constexpr int kMaxSeen = 4096;  // a home folder may hold millions
+    const fs::path folder = fs::path(path).parent_path();
+    std::vector<std::string> files =
+        filesBelow(folder.empty() ? "." : folder.string(), {ending}, 1, kMaxSeen);
+    for (std::string& each : files) each = (fs::path(written).parent_path() / each).string();
     return files;
 }
 

@@ -5,6 +5,7 @@
 #include <crevice/result.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,12 @@ FileBytes readStart(const std::string& path, std::size_t count);
 
 /// Of what was not read: "does not exist", or "cannot be read: it is a folder".
 std::string absenceOf(const std::string& path);
+
+/// Regular files with one of the endings in the folder and those below it, down to `depth`, as seen
+/// from it; of `most` entries at most.
+std::vector<std::string> filesBelow(const std::string& folder,
+                                    const std::vector<std::string_view>& endings, int depth = -1,
+                                    int most = std::numeric_limits<int>::max());
 
 /// Regular files in the folder of `path` and in those right below it whose names end in `ending`,
 /// for a suggestion: few where there are many. Each is named from where `written` is, which is how

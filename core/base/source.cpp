@@ -1,16 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The sets of texts: in memory, in layers; and paths between them.
+// The sets of texts: in memory, in a folder, in layers; and paths between them.
 #include <crevice/source.h>
 
 #include "core/base/files.h"
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
 namespace crevice {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// True for a path as SourceSet promises it: no root, no empty part, no "." and no "..".
+bool isInside(std::string_view path)
+{
+    for (const std::string_view part : split(path, '/'))
+        if (part.empty() || part == "." || part == "..") return false;
+    return true;
+}
+
+}  // namespace
 
 void MemorySources::add(std::string path, std::string text, std::string name)
 {
@@ -83,6 +96,26 @@ SourceRef readFile(const std::string& path, SourceRoots roots)
     if (!file) return nullptr;
     return std::make_shared<const SourceText>(
         SourceText{path, std::move(file.bytes), {}, {}, std::move(roots)});
+}
+
+SourceRef DirectorySources::find(std::string_view path) const
+{
+    const std::string file = root_ + '/' + std::string(path);
+    if (!isInside(path) || !isBelow(file, roots_)) return nullptr;
+    const SourceRef found = readFile(file);
+    if (!found) return nullptr;
+    SourceText text = *found;
+    text.path = path;
+    return std::make_shared<const SourceText>(std::move(text));
+}
+
+std::vector<std::string> DirectorySources::list() const
+{
+    // What it may hold beside modules (pictures, editors' backups) is none of a catalog's texts.
+    std::vector<std::string> paths =
+        filesBelow(root_, {".json", ".glsl", ".vert", ".frag", ".comp"});
+    std::sort(paths.begin(), paths.end());
+    return paths;
 }
 
 }  // namespace crevice

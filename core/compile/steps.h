@@ -1,18 +1,130 @@
 // SPDX-License-Identifier: MIT
-// The steps of the compiler, private to core/compile. They fill its state in this order:
+// The compiler's working state and its steps, private to core/compile. They fill it in this order:
 //
-//   elided        which passes run, once borders fit (target_sizes)
+//   dead_passes   which passes run, once borders fit (target_sizes)
 //   formats       formats, which shaders allow for; at the end whether they fit and are fine enough
 //   shaders       defines, stages, outputs; with uniforms for what they declare
 //   graph         writers and order
 //   dead_passes   what is needed, and what stands in for what is not
 //   target_sizes  sizes and samples
-//   passes        the plan itself; with texture_aliasing, and elided for what is left out
+//   passes        the plan itself
+//
+// Indices are into the description's lists unless they say otherwise. Every step works on what the
+// steps before could make sense of, so that one run finds all errors.
 #pragma once
 
-#include "core/compile/state.h"
+#include <crevice/compile.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace crevice::compiler {
+
+/// What a name that a pass reads stands for.
+struct Source {
+    InputKind kind = InputKind::target;
+    int index = -1;      ///< Into targets, generated or imports.
+    float value = 0.0f;  ///< Of a constant.
+
+    bool isTarget() const { return kind == InputKind::target || kind == InputKind::history; }
+};
+
+/// A sampler of a pass.
+struct Read {
+    std::string name;                  ///< Of the sampler; empty for what `mask` names.
+    const InputDesc* input = nullptr;  ///< What the config says of it, if it does.
+    Source named = {};                 ///< What the name stands for before passes are left out.
+};
+
+/// A shader with the defines in force. `ok` is false when it could not be assembled.
+struct Shader {
+    bool assembled = false;
+    bool ok = false;
+    GlslStage vertex = {};
+    GlslStage fragment = {};
+};
+
+struct Pass {
+    const PassDesc* desc = nullptr;
+    int shader = -1;                  ///< Into State::shaders.
+    bool active = true;               ///< Its condition holds.
+    std::string off_reason = {};      ///< Why not.
+    bool live = false;                ///< Some output needs it.
+    const NoOpDesc* no_op = nullptr;  ///< What stands in for it, when something does.
+    /// What it reads is constant, and so stands in for it.
+    bool preserves_constant = false;
+    bool indispensable = false;  ///< ... but not for all that is needed of it.
+    std::vector<Read> reads = {};
+    std::vector<PlanUniform> uniforms = {};  ///< With indices into the description's lists.
+    std::vector<int> color = {};             ///< Targets.
+    int depth = -1;                          ///< A target, or -1 for none.
+
+    bool replaced() const { return no_op != nullptr || preserves_constant; }
+};
+
+struct Target {
+    int followed = -1;        ///< The target whose size its own follows; -1 is the output's.
+    int writer = -1;          ///< The active pass that writes it.
+    bool textured = false;    ///< It needs a texture.
+    bool wanted = false;      ///< It would with params of other values.
+    bool remembered = false;  ///< Someone reads what it held last frame: it needs two.
+    Format format = Format::none;
+    Extent extent = {};
+    int samples = 1;
+};
+
+/// Everything that the steps share.
+struct State {
+    const Description& description;
+    const SceneTraits& traits;
+    const DeviceCaps& caps;
+    const CompileOptions& options;
+    std::vector<Shader> shaders = {};  ///< The description's.
+    std::vector<Pass> passes = {};
+    std::vector<Target> targets = {};
+    GlslDefines defines = {};              ///< Of every shader.
+    std::vector<int> order = {};           ///< Active passes by data flow.
+    std::vector<int> outputs = {};         ///< Those asked for.
+    std::set<std::string> unwritten = {};  ///< Targets that no pass writes, as an error says.
+    std::vector<Elided> elided = {};       ///< Before there were passes.
+    Diagnostics diagnostics = {};
+
+    /// False when the options switch the optimization off.
+    bool applies(std::string_view optimization) const;
+};
+
+/// Whether so many errors were found that no further ones need be looked for.
+bool isFull(const State& state);
+
+/// Adds an error and returns it, for its notes. The reference is valid until the next one.
+Diagnostic& report(State& state, Code code, std::string message, const Named& at,
+                   std::string help = {});
+Diagnostic& report(State& state, Code code, std::string message, const Reference& at,
+                   std::string help = {});
+
+/// Adds an error that GLSL and the config share, and returns it: at the shader that the pass names,
+/// with a note at `declared` in the GLSL.
+Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
+                       const Place& declared, std::string help = {});
+
+/// "pass 'ssao'", as messages name it.
+std::string quoted(const Pass& pass);
+const std::string& nameOf(const State& state, int target);
+
+/// As the config says, or as is usual for what the name stands for.
+SamplerDesc samplingOf(const Read& read);
+
+/// Whether a mask of its own says where the pass is drawn.
+inline bool readsMask(const Pass& pass) { return findNamed(pass.reads, "") != nullptr; }
+
+/// Targets that a pass writes: colour, then depth.
+std::vector<int> writtenBy(const Pass& pass);
+
+/// Where the pass names a target that it writes.
+const Reference& referenceTo(const Pass& pass, const std::string& target);
 
 // formats.cpp
 void chooseFormats(State& state);
@@ -37,6 +149,8 @@ void findWriters(State& state);
 void orderPasses(State& state);
 
 // dead_passes.cpp
+void decideConditions(State& state);
+std::vector<Elided> elided(const State& state);
 void chooseLive(State& state);
 /// The warning CV2212.
 void lintDeadPasses(State& state);
@@ -60,14 +174,6 @@ void chooseExtents(State& state);
 /// Samples of a pixel that the config asks for.
 int askedSamples(const State& state, int target);
 void chooseSamples(State& state);
-
-// texture_aliasing.cpp
-/// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.
-void shareTextures(const State& state, Plan& plan);
-
-// elided.cpp
-void decideConditions(State& state);
-std::vector<Elided> elided(const State& state);
 
 // passes.cpp
 Plan buildPlan(const State& state);

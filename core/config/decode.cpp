@@ -4,7 +4,6 @@
 
 #include "core/base/text.h"
 #include "core/config/decode_reader.h"
-#include "core/config/decode_steps.h"
 #include "core/config/fields.h"
 #include "core/config/values.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the words of a feature set: levels of quality.
 #include "core/config/decode_reader.h"
-#include "core/config/decode_steps.h"
 
 #include "core/base/text.h"
 

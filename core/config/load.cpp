@@ -4,7 +4,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "core/config/decode_steps.h"
+#include "core/config/decode_report.h"
 #include "core/config/left_out.h"
 #include "core/json/merge.h"
 #include "core/json/override.h"

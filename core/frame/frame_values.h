@@ -9,41 +9,48 @@
 #include <crevice/frame.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace crevice {
 
-/// The frame's values, in the order of `kFrameValues`.
+// The frame's values: their names in GLSL, types, elements, of which more than 1 are an array, and
+// imports that they come from; none for the pass itself.
+#define CREVICE_FRAME_VALUES(VALUE) \
+    VALUE(clip_from_view, mat4, 1, ImportType::camera) \
+    VALUE(view_from_clip, mat4, 1, ImportType::camera) \
+    VALUE(view_from_window, mat4, 1, ImportType::camera) \
+    VALUE(view_from_world, mat4, 1, ImportType::camera) \
+    VALUE(world_from_view, mat4, 1, ImportType::camera) \
+    VALUE(view_from_host, mat3, 1, ImportType::camera) \
+    VALUE(light_count, int_, 1, ImportType::lights) \
+    VALUE(light_position, vec4, kMaxLights, ImportType::lights) \
+    VALUE(light_color, vec3, kMaxLights, ImportType::lights) \
+    VALUE(light_attenuation, vec3, kMaxLights, ImportType::lights) \
+    VALUE(light_cone, vec4, kMaxLights, ImportType::lights) \
+    VALUE(ambient_light, vec3, 1, ImportType::lights) \
+    VALUE(viewport_size, vec2, 1, std::nullopt) \
+    VALUE(ray_from_pixel, mat3, 1, ImportType::camera) \
+    VALUE(history_valid, float_, 1, std::nullopt) \
+    VALUE(frame_index, int_, 1, std::nullopt) \
+    VALUE(previous_view_from_view, mat4, 1, ImportType::camera) \
+    VALUE(previous_clip_from_view, mat4, 1, ImportType::camera) \
+    VALUE(clip_from_model, mat4, 1, ImportType::draw_list) \
+    VALUE(view_from_model, mat4, 1, ImportType::draw_list) \
+    VALUE(view_normal_from_model, mat3, 1, ImportType::draw_list) \
+    VALUE(base_color, vec4, 1, ImportType::draw_list) \
+    VALUE(alpha_cutoff, float_, 1, ImportType::draw_list) \
+    VALUE(specular, vec3, 1, ImportType::draw_list) \
+    VALUE(shininess, float_, 1, ImportType::draw_list) \
+    VALUE(material_ambient, float_, 1, ImportType::draw_list) \
+    VALUE(normal_scale, float_, 1, ImportType::draw_list) \
+    VALUE(occlusion_strength, float_, 1, ImportType::draw_list)
+
 enum FrameValue : std::size_t {
-    clip_from_view,
-    view_from_clip,
-    view_from_window,
-    view_from_world,
-    world_from_view,
-    view_from_host,
-    light_count,
-    light_position,
-    light_color,
-    light_attenuation,
-    light_cone,
-    ambient_light,
-    viewport_size,
-    ray_from_pixel,
-    history_valid,
-    frame_index,
-    previous_view_from_view,
-    previous_clip_from_view,
-    clip_from_model,
-    view_from_model,
-    view_normal_from_model,
-    base_color,
-    alpha_cutoff,
-    specular,
-    shininess,
-    material_ambient,
-    normal_scale,
-    occlusion_strength,
-    frame_value_count,
+#define CREVICE_NAME(name, ...) name,
+    CREVICE_FRAME_VALUES(CREVICE_NAME)
+#undef CREVICE_NAME
+        frame_value_count,
 };
 
 struct FrameValueInfo {
@@ -53,7 +60,12 @@ struct FrameValueInfo {
     std::optional<ImportType> import;  ///< Where it comes from; none for the pass itself.
 };
 
-extern const FrameValueInfo kFrameValues[frame_value_count];
+/// By FrameValue.
+inline constexpr FrameValueInfo kFrameValues[] = {
+#define CREVICE_INFO(name, type, count, from) {#name, GlslType::type, count, from},
+    CREVICE_FRAME_VALUES(CREVICE_INFO)
+#undef CREVICE_INFO
+};
 
 /// A fact about the scene that conditions and shaders may depend on: a flag, or a count of at most
 /// `most`, of which true means at least one.
@@ -77,7 +89,20 @@ struct TraitInfo {
     }
 };
 
-extern const TraitInfo kTraits[12];
+inline constexpr TraitInfo kTraits[] = {
+    {"scene.lights", "SCENE_LIGHTS", nullptr, &SceneTraits::lights, kMaxLights},
+    {"scene.alpha_tested", "SCENE_ALPHA_TESTED", &SceneTraits::alpha_tested},
+    {"scene.sheets", "SCENE_SHEETS", &SceneTraits::sheets},
+    {"scene.specular", "SCENE_SPECULAR", &SceneTraits::specular},
+    {"scene.textured", "SCENE_TEXTURED", &SceneTraits::textured},
+    {"camera.orthographic", "CAMERA_ORTHOGRAPHIC", &SceneTraits::orthographic},
+    {"camera.turned", "CAMERA_TURNED", &SceneTraits::turned},
+    {"camera.reversed_depth", "CAMERA_REVERSED_DEPTH", &SceneTraits::reversed_depth},
+    {"camera.views", "CAMERA_VIEWS", nullptr, &SceneTraits::views, std::numeric_limits<int>::max()},
+    {"scene.normal_mapped", "SCENE_NORMAL_MAPPED", &SceneTraits::normal_mapped},
+    {"scene.baked_occlusion", "SCENE_BAKED_OCCLUSION", &SceneTraits::baked_occlusion},
+    {"scene.material_ambient", "SCENE_MATERIAL_AMBIENT", &SceneTraits::material_ambient},
+};
 
 /// A texture that a material may have.
 struct MaterialMapInfo {
@@ -85,6 +110,10 @@ struct MaterialMapInfo {
     TextureId Material::*texture;
 };
 
-extern const MaterialMapInfo kMaterialMaps[3];
+inline constexpr MaterialMapInfo kMaterialMaps[] = {
+    {"base_color_map", &Material::base_color_map},
+    {"normal_map", &Material::normal_map},
+    {"occlusion_map", &Material::occlusion_map},
+};
 
 }  // namespace crevice

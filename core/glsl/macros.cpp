@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Macro expansion and an evaluator for integer expressions.
-#include "core/glsl/macros.h"
+#include "core/glsl/preprocessor.h"
 
 #include <cstdlib>
 

@@ -1,32 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Shader stages from GLSL files.
+// Shader stages from GLSL files, and their declarations: enough of its grammar to read uniforms and
+// outputs.
 #include <crevice/glsl_stage.h>
 
 #include "core/glsl/preprocessor.h"
+
+#include <algorithm>
+#include <optional>
 
 namespace crevice {
 
 namespace {
 
-constexpr struct {
-    GlslType type;
-    const char* name;
-} kTypes[] = {
-    {GlslType::float_, "float"},
-    {GlslType::vec2, "vec2"},
-    {GlslType::vec3, "vec3"},
-    {GlslType::vec4, "vec4"},
-    {GlslType::int_, "int"},
-    {GlslType::ivec2, "ivec2"},
-    {GlslType::ivec3, "ivec3"},
-    {GlslType::ivec4, "ivec4"},
-    {GlslType::uint_, "uint"},
-    {GlslType::bool_, "bool"},
-    {GlslType::mat3, "mat3"},
-    {GlslType::mat4, "mat4"},
-    {GlslType::sampler2d, "sampler2D"},
-    {GlslType::sampler2d_ms, "sampler2DMS"},
-};
+/// In the order of GlslType.
+constexpr const char* kTypes[] = {"float", "vec2",  "vec3",      "vec4",        "int",
+                                  "ivec2", "ivec3", "ivec4",     "uint",        "bool",
+                                  "mat3",  "mat4",  "sampler2D", "sampler2DMS", "other"};
 
 /// The defines that the text mentions, or that the values of such defines mention.
 std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit& unit)
@@ -44,19 +33,211 @@ std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit&
     return {used.begin(), used.end()};
 }
 
+/// Longest array that is believed; no device has room for more uniforms.
+constexpr std::int64_t kMaxArray = 65536;
+
+/// Most uniforms and outputs of a stage.
+constexpr std::size_t kMaxDeclared = 1024;
+
+constexpr std::string_view kQualifiers[] = {
+    "uniform",   "in",        "out",    "const",  "flat",     "smooth",   "centroid",
+    "invariant", "precise",   "sample", "patch",  "highp",    "mediump",  "lowp",
+    "readonly",  "writeonly", "shared", "buffer", "coherent", "volatile", "restrict"};
+
+// Whether the word stands before a type.
+bool isQualifier(std::string_view word)
+{
+    return std::find(std::begin(kQualifiers), std::end(kQualifiers), word) != std::end(kQualifiers);
+}
+
+struct Qualifiers {
+    bool uniform = false;
+    bool output = false;
+    int location = -1;
+};
+
+class Scanner {
+public:
+    Scanner(GlslUnit& unit, GlslStage& stage)
+        : unit_(unit),
+          stage_(stage),
+          at_(unit.tokens.data()),
+          end_(at_ + unit.tokens.size())
+    {
+    }
+
+    void run()
+    {
+        while (at_ != end_ && unit_.errors.size() < kMaxDiagnostics) {
+            const Qualifiers qualifiers = readQualifiers();
+            if (qualifiers.uniform || qualifiers.output) readDeclaration(qualifiers);
+            skipStatement();
+        }
+    }
+
+private:
+    bool here(std::string_view text) const { return at_ != end_ && at_->is(text); }
+
+    Qualifiers readQualifiers();
+    void readLayout(Qualifiers& qualifiers);
+    void readDeclaration(const Qualifiers& qualifiers);
+    void readArray(GlslUniform& variable);
+    const GlslToken* closing(std::string_view open, std::string_view close) const;
+    void skipStatement();
+
+    void fail(std::string message, const GlslToken& token, std::string help)
+    {
+        unit_.errors.push_back(
+            {Code::preprocessor, std::move(message), std::move(help), placeOf(token, unit_.files)});
+    }
+
+    GlslUnit& unit_;
+    GlslStage& stage_;
+    const GlslToken* at_;
+    const GlslToken* end_;
+};
+
+Qualifiers Scanner::readQualifiers()
+{
+    Qualifiers qualifiers;
+    for (; at_ != end_; ++at_) {
+        if (at_->is("layout"))
+            readLayout(qualifiers);
+        else if (!isQualifier(at_->text))
+            break;
+        else if (at_->is("uniform"))
+            qualifiers.uniform = true;
+        else if (at_->is("out"))
+            qualifiers.output = true;
+        if (at_ == end_) break;
+    }
+    return qualifiers;
+}
+
+/// Leaves the cursor at the closing parenthesis.
+void Scanner::readLayout(Qualifiers& qualifiers)
+{
+    ++at_;
+    const GlslToken* close = closing("(", ")");
+    for (; at_ != close; ++at_) {
+        if (!at_->is("location") || close - at_ < 3 || !at_[1].is("=")) continue;
+        const GlslToken* value = at_ + 2;
+        const GlslToken* last = value;
+        while (last != close && !last->is(",")) ++last;
+        const auto location = evaluate(value, last);
+        const bool known = location && *location >= 0 && *location < kMaxArray;
+        if (known)
+            qualifiers.location = int(*location);
+        else
+            fail("this location cannot be read, wanted a whole number", *value, "write 0, 1, ...");
+    }
+}
+
+/// Reads `type name, name[4], ...` up to the semicolon.
+void Scanner::readDeclaration(const Qualifiers& qualifiers)
+{
+    if (at_ == end_ || at_->kind != GlslToken::Kind::identifier) return;
+    const GlslToken& type = *at_++;
+    const bool block = here("{") || type.is("struct");
+    if (block && qualifiers.uniform)
+        stage_.blocks.push_back(
+            {std::string(type.text), GlslType::other, 1, false, placeOf(type, unit_.files)});
+    if (block) return;
+
+    GlslUniform common;
+    common.type = glslTypeFromName(type.text);
+    readArray(common);
+    while (at_ != end_ && at_->kind == GlslToken::Kind::identifier) {
+        if (stage_.uniforms.size() + stage_.outputs.size() == kMaxDeclared) {
+            fail("found more than " + std::to_string(kMaxDeclared) + " uniforms and outputs", *at_,
+                 "make arrays of them; no device has room for so many");
+            at_ = end_;
+            return;
+        }
+        GlslUniform variable = common;
+        variable.name = at_->text;
+        variable.place = placeOf(*at_++, unit_.files);
+        readArray(variable);
+        const int next = int(stage_.outputs.size());
+        const int location = qualifiers.location < 0 ? next : qualifiers.location;
+        if (qualifiers.uniform)
+            stage_.uniforms.push_back(std::move(variable));
+        else
+            stage_.outputs.push_back({std::move(variable.name), location, variable.place});
+        if (!here(",")) return;
+        ++at_;
+    }
+}
+
+void Scanner::readArray(GlslUniform& variable)
+{
+    if (!here("[")) return;
+    const GlslToken& open = *at_;
+    const GlslToken* close = closing("[", "]");
+    const auto count = evaluate(at_ + 1, close);
+    variable.array = true;
+    if (count && *count > 0 && *count <= kMaxArray)
+        variable.count = int(*count);
+    else
+        fail("the array size of '" + variable.name + "'" +
+                 (close == at_ + 2 ? ", '" + std::string(at_[1].text) + "'," : "") +
+                 " cannot be read, wanted a whole number of at least 1",
+             open,
+             "an array size has numbers and #defines only: a param with bind 'define' is one");
+    at_ = close == end_ ? end_ : close + 1;
+}
+
+/// The sign that closes the one at the cursor, or the end.
+const GlslToken* Scanner::closing(std::string_view open, std::string_view close) const
+{
+    int depth = 0;
+    for (const GlslToken* token = at_; token != end_; ++token) {
+        if (token->is(open)) ++depth;
+        if (token->is(close) && --depth == 0) return token;
+    }
+    return end_;
+}
+
+/// Leaves the cursor behind the next semicolon or the body that comes before it.
+void Scanner::skipStatement()
+{
+    while (at_ != end_ && !here(";") && !here("{")) ++at_;
+    if (here("{")) at_ = closing("{", "}");
+    if (at_ != end_) ++at_;
+}
+
+// What a line of GLSL that is `layout(...) out type name;` and no more is as a plain variable;
+// nothing of any other.
+std::optional<std::string> plainVariable(std::string_view line, const std::string& name)
+{
+    GlslTokens tokens;
+    tokenize(line, 0, 1, tokens);
+    const std::size_t count = tokens.size();
+    if (count < 4 || !tokens[count - 1].is(";") || !tokens[count - 2].is(name)) return std::nullopt;
+    std::string plain(line.substr(0, std::size_t(tokens[0].column) - 1));  // as it is indented
+    bool output = false;
+    std::size_t i = 0;
+    if (tokens[0].is("layout"))
+        while (i + 3 < count && !tokens[i++].is(")")) {
+        }
+    for (; i + 3 < count; ++i) {
+        if (!isQualifier(tokens[i].text)) return std::nullopt;
+        if (tokens[i].text.back() == 'p')  // highp, mediump, lowp
+            plain += std::string(tokens[i].text) + " ";
+        output = output || tokens[i].is("out");
+    }
+    if (!output) return std::nullopt;
+    return plain + std::string(tokens[count - 3].text) + " " + name + ";";
+}
+
 }  // namespace
 
-const char* glslName(GlslType type)
-{
-    for (const auto& known : kTypes)
-        if (known.type == type) return known.name;
-    return "other";
-}
+const char* glslName(GlslType type) { return kTypes[static_cast<int>(type)]; }
 
 GlslType glslTypeFromName(std::string_view name)
 {
-    const auto* known = findNamed(kTypes, name);
-    return known ? known->type : GlslType::other;
+    const auto* const known = std::find(std::begin(kTypes), std::end(kTypes) - 1, name);
+    return static_cast<GlslType>(known - std::begin(kTypes));
 }
 
 bool isSampler(GlslType type)
@@ -93,5 +274,24 @@ Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
     stage.files = std::move(unit.files);
     return stage;
 }
+
+bool dropOutput(GlslStage& stage, const std::string& name)
+{
+    std::string& text = stage.text;
+    for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+        end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = std::string_view(text).substr(begin, end - begin);
+        const std::optional<std::string> plain = plainVariable(line, name);
+        if (!plain) continue;
+        text.replace(begin, line.size(), *plain);
+        const auto same = [&](const GlslOutput& output) { return output.name == name; };
+        stage.outputs.erase(std::remove_if(stage.outputs.begin(), stage.outputs.end(), same),
+                            stage.outputs.end());
+        return true;
+    }
+    return false;
+}
+
+void scanDeclarations(GlslUnit& unit, GlslStage& stage) { Scanner(unit, stage).run(); }
 
 }  // namespace crevice

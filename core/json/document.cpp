@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON text to a tree with places.
+// JSON text to a tree with places; looking into that, and showing a value in a message.
 #include <crevice/document.h>
 
 #include "core/base/numbers.h"
@@ -62,18 +62,11 @@ std::size_t commentLength(std::string_view text, std::size_t at)
 // Whether it is a number as JSON writes it: none of 01, .5, 5. and +1 is.
 bool isNumber(std::string_view text)
 {
-    const auto take = [&text](std::string_view any, std::size_t most) {
-        const std::size_t count = std::min({text.find_first_not_of(any), text.size(), most});
-        text.remove_prefix(count);
-        return count > 0;
-    };
-    const auto digits = [&take](std::size_t most) { return take("0123456789", most); };
-    take("-", 1);
-    if (!digits(startsWith(text, "0") ? 1 : text.npos)) return false;
-    if (take(".", 1) && !digits(text.npos)) return false;
-    if (!take("eE", 1)) return text.empty();
-    take("+-", 1);
-    return digits(text.npos) && text.empty();
+    const std::string_view whole = text.substr(startsWith(text, "-"));
+    const auto digit = [&](std::size_t at) { return at < whole.size() && isDigit(whole[at]); };
+    const std::size_t point = whole.find('.');
+    return digit(0) && !(whole[0] == '0' && digit(1)) && (point == text.npos || digit(point + 1)) &&
+           parseNumber(text);
 }
 
 void appendUtf8(std::string& out, std::uint32_t code)
@@ -290,7 +283,7 @@ private:
     {
         const Node* const container = open_.empty() ? nullptr : open_.back();
         const std::string kind = container ? kindName(container->kind) : "";
-        Diagnostic error{Code::syntax};
+        Diagnostic error{Code::syntax, {}};
         if (at_ == text_.size()) {
             error.message = "the text ends inside an " + kind;
             error.help = kind == "object" ? "close it with '}'" : "close it with ']'";
@@ -395,6 +388,35 @@ bool looksLikeJson(std::string_view text)
            text == "false" || text == "null";
 }
 
+constexpr std::size_t kBriefBytes = 40;
+
+// As JSON, until there are more than that many bytes.
+void append(std::string& out, const Node& node, std::size_t bytes)
+{
+    switch (node.kind) {
+    case Node::Kind::null: out += "null"; return;
+    case Node::Kind::boolean: out += node.boolean ? "true" : "false"; return;
+    case Node::Kind::number: out += node.text; return;
+    case Node::Kind::string: out += jsonString(utf8Prefix(node.text, 2 * bytes)); return;
+    case Node::Kind::array:
+        out += '[';
+        for (std::size_t i = 0; i < node.items.size() && out.size() <= bytes; ++i) {
+            if (i > 0) out += ", ";
+            append(out, node.items[i], bytes);
+        }
+        out += ']';
+        return;
+    case Node::Kind::object:
+        out += '{';
+        for (std::size_t i = 0; i < node.members.size() && out.size() <= bytes; ++i) {
+            out += (i > 0 ? ", " : "") + jsonString(node.members[i].key) + ": ";
+            append(out, node.members[i].value, bytes);
+        }
+        out += '}';
+        return;
+    }
+}
+
 }  // namespace
 
 Result<Node> parseDocument(const SourceRef& source)
@@ -415,6 +437,46 @@ Result<Node> parseValue(const SourceRef& source)
     const Status status = checkText(source);
     if (!status) return status.diagnostics();
     return textNode(std::string(word), placeAt(source, begin, word.size()));
+}
+
+bool Node::integer() const
+{
+    constexpr double kExact = 9007199254740992.0;  // 2^53: above it doubles skip integers
+    return kind == Kind::number && text.find_first_of(".eE") == text.npos &&
+           std::fabs(number) <= kExact;
+}
+
+const Node* Node::find(std::string_view key) const
+{
+    for (const Member& member : members)
+        if (member.key == key) return &member.value;
+    return nullptr;
+}
+
+Node* Node::find(std::string_view key)
+{
+    return const_cast<Node*>(static_cast<const Node*>(this)->find(key));
+}
+
+std::string brief(const Node& node)
+{
+    std::string out;
+    append(out, node, kBriefBytes);
+    if (out.size() <= kBriefBytes) return out;
+    return std::string(utf8Prefix(out, kBriefBytes)) + "...";
+}
+
+std::string toJson(const Node& node)
+{
+    std::string out;
+    append(out, node, std::string::npos / 2);  // no limit, even where it is doubled
+    return out;
+}
+
+const char* kindName(Node::Kind kind)
+{
+    static const char* const kNames[] = {"null", "boolean", "number", "string", "array", "object"};
+    return kNames[static_cast<int>(kind)];
 }
 
 }  // namespace crevice

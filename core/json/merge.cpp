@@ -60,9 +60,6 @@ Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& poi
     return diagnostic;
 }
 
-void merge(Node& base, const Node& patch, const std::string& pointer, Diagnostics& errors);
-Node fresh(const Node& patch, const std::string& pointer, Diagnostics& errors);
-
 // Only the first `searched` members of the base may be those that the patch means.
 void mergeMember(Node& base, const Member& patch, const std::string& pointer, std::size_t& searched,
                  Diagnostics& errors)
@@ -78,46 +75,19 @@ void mergeMember(Node& base, const Member& patch, const std::string& pointer, st
     } else if (found == end && deletes) {
         errors.push_back(missingKey(base, searched, patch, pointer));
     } else if (found == end) {
-        members.push_back({patch.key, patch.key_place, fresh(patch.value, pointer, errors)});
+        Node& value = members.emplace_back(Member{patch.key, patch.key_place, {}}).value;
+        value.kind = patch.value.kind;
+        value.place = patch.value.place;
+        if (isObject(value))  // in which nothing can be deleted, as nothing was there
+            mergePatch(value, patch.value, errors, pointer);
+        else
+            value = patch.value;
     } else if (deletes) {
         members.erase(found);
         --searched;
         base.deleted.push_back(patch);
     } else {
-        merge(found->value, patch.value, pointer, errors);
-    }
-}
-
-// A copy for a place where nothing was, so that nothing can be deleted either.
-Node fresh(const Node& patch, const std::string& pointer, Diagnostics& errors)
-{
-    if (!isObject(patch)) return patch;
-    Node object;
-    object.kind = patch.kind;
-    object.place = patch.place;
-    merge(object, patch, pointer, errors);
-    return object;
-}
-
-void merge(Node& base, const Node& patch, const std::string& pointer, Diagnostics& errors)
-{
-    if (const std::string_view key = mainKey(pointer); !key.empty()) {
-        if (!isObject(base) && isObject(patch)) base = objectOf(key, base.place, base);
-        if (isObject(base) && !isObject(patch))
-            return merge(base, objectOf(key, patch.place, patch), pointer, errors);
-    }
-    if (isObject(base) != isObject(patch)) {
-        errors.push_back(wrongKind(base, patch, pointer));
-    } else if (isObject(base)) {
-        // A patch names each key once, so what it adds need not be searched.
-        std::size_t searched = base.members.size();
-        for (const Member& member : patch.members)
-            mergeMember(base, member, memberPointer(pointer, member.key), searched, errors);
-    } else {
-        std::vector<Place> origins = base.origins;
-        origins.push_back(base.place);
-        base = patch;
-        base.origins = std::move(origins);
+        mergePatch(found->value, patch.value, errors, pointer);
     }
 }
 
@@ -178,9 +148,26 @@ Node textNode(std::string text, const Place& place)
     return node;
 }
 
-void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics)
+void mergePatch(Node& base, const Node& patch, Diagnostics& errors, const std::string& pointer)
 {
-    merge(base, patch, {}, diagnostics);
+    if (const std::string_view key = mainKey(pointer); !key.empty()) {
+        if (!isObject(base) && isObject(patch)) base = objectOf(key, base.place, base);
+        if (isObject(base) && !isObject(patch))
+            return mergePatch(base, objectOf(key, patch.place, patch), errors, pointer);
+    }
+    if (isObject(base) != isObject(patch)) {
+        errors.push_back(wrongKind(base, patch, pointer));
+    } else if (isObject(base)) {
+        // A patch names each key once, so what it adds need not be searched.
+        std::size_t searched = base.members.size();
+        for (const Member& member : patch.members)
+            mergeMember(base, member, memberPointer(pointer, member.key), searched, errors);
+    } else {
+        std::vector<Place> origins = base.origins;
+        origins.push_back(base.place);
+        base = patch;
+        base.origins = std::move(origins);
+    }
 }
 
 }  // namespace crevice

@@ -20,8 +20,9 @@ Diagnostic tooManyMembers(const Place& place, std::string pointer);
 ///
 /// Errors: CV1101 (null for a key that is not there) and CV1102 (an object replaced by something
 /// else, or the reverse), each at the patch's place with a note for the base's; CV1009. They are
-/// appended to `diagnostics`; the merge goes on so that every error is found.
-void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics);
+/// appended to `errors`; the merge goes on so that every error is found. `pointer` is the base's.
+void mergePatch(Node& base, const Node& patch, Diagnostics& errors,
+                const std::string& pointer = {});
 
 /// The smallest patch that makes `now` of `base`; it has no member where they are the same.
 /// Requires two objects.

@@ -156,7 +156,7 @@ private:
     void setTextures(const std::vector<TextureBinding>& textures);
     void setUniforms(const std::vector<UniformBinding>& uniforms);
 
-    // execution_draws.cpp
+    // execution.cpp, draws
     bool updateDraws(const Frame& frame);
     PixelArea areaOf(const PreparedPass& pass);
     void runDraws(const PreparedPass& pass, const CameraMatrices& camera);

@@ -8,7 +8,6 @@
 #include "core/sampling/generators.h"
 
 #include "core/base/text.h"
-#include "core/sampling/random.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>

@@ -2,7 +2,8 @@
 // Numbers made on load: sample kernels and rotation noise, the same on every platform.
 //
 // Sources: Mittring 2007 - the sphere; Filion, McNaughton 2008 - the hemisphere; Chapman 2013 -
-// offsets that cluster near the origin, a small tiled rotation; Roberts 2018 - R3, for the ball.
+// offsets that cluster near the origin, a small tiled rotation; Roberts 2018 - R3, for the ball;
+// Jarzynski, Olano 2020 - the PCG hash behind every number.
 #pragma once
 
 #include <crevice/image.h>
@@ -10,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -66,5 +68,38 @@ inline int mostCount(std::string_view generator)
 {
     return generatesTexture(generator) ? kMaxNoiseSize : kMaxKernelSize;
 }
+
+/// A PCG output function over one step of its generator [Jarzynski, Olano 2020].
+inline std::uint32_t pcg(std::uint32_t value)
+{
+    const std::uint32_t state = value * 747796405u + 2891336453u;
+    const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}
+
+/// 32 random bits for (seed, index).
+inline std::uint32_t randomBits(unsigned seed, unsigned index) { return pcg(index + pcg(seed)); }
+
+/// A uniform number in [0, 1) for (seed, index).
+inline float randomFloat(unsigned seed, unsigned index)
+{
+    return float(randomBits(seed, index) >> 8) * 0x1p-24f;
+}
+
+/// The numbers of one seed, one after the other.
+class Stream {
+public:
+    explicit Stream(unsigned seed) : seed_(seed) {}
+
+    /// In [0, 1).
+    double number() { return randomFloat(seed_, index_++); }
+
+    /// In [0, count).
+    int integer(int count) { return int(randomBits(seed_, index_++) % unsigned(count)); }
+
+private:
+    unsigned seed_;
+    unsigned index_ = 0;
+};
 
 }  // namespace crevice

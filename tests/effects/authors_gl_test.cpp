@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The configs of single authors against what those authors compute, ported to the CPU from their
 // texts: over the same positions, normals and random numbers, with a box over both pictures.
-#include "core/sampling/random.h"
+#include "core/sampling/generators.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 

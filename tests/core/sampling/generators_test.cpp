@@ -2,7 +2,6 @@
 // Sample kernels and rotation noise.
 #include "core/sampling/generators.h"
 
-#include "core/sampling/random.h"
 #include "tests/support/catch.h"
 
 #include <glm/geometric.hpp>
