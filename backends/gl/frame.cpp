@@ -10,15 +10,9 @@ namespace {
 
 GLenum compareFunction(Compare compare)
 {
-    switch (compare) {
-    case Compare::less: return GL_LESS;
-    case Compare::less_equal: return GL_LEQUAL;
-    case Compare::greater: return GL_GREATER;
-    case Compare::greater_equal: return GL_GEQUAL;
-    case Compare::equal: return GL_EQUAL;
-    case Compare::always: break;
-    }
-    return GL_ALWAYS;
+    constexpr GLenum kFunctions[] = {GL_ALWAYS,  GL_LESS,   GL_LEQUAL,
+                                     GL_GREATER, GL_GEQUAL, GL_EQUAL};  // in the order of Compare
+    return kFunctions[static_cast<int>(compare)];
 }
 
 /// Invalidates the attachments whose contents are not needed: tile memory is then neither loaded

@@ -16,15 +16,10 @@ constexpr std::size_t kConstantUv = 3 * sizeof(float);
 
 GLenum typeOf(VertexType type)
 {
-    switch (type) {
-    case VertexType::float16: return GL_HALF_FLOAT;
-    case VertexType::snorm8: return GL_BYTE;
-    case VertexType::unorm8: return GL_UNSIGNED_BYTE;
-    case VertexType::snorm16: return GL_SHORT;
-    case VertexType::unorm16: return GL_UNSIGNED_SHORT;
-    case VertexType::snorm10: return GL_INT_2_10_10_10_REV;
-    default: return GL_FLOAT;
-    }
+    constexpr GLenum kTypes[] = {
+        GL_FLOAT,          GL_HALF_FLOAT,        GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT,
+        GL_UNSIGNED_SHORT, GL_INT_2_10_10_10_REV};
+    return kTypes[static_cast<int>(type)];  // in the order of VertexType
 }
 
 const void* asPointer(std::size_t offset) { return reinterpret_cast<const void*>(offset); }

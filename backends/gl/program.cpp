@@ -3,7 +3,9 @@
 
 #include "backends/gl/failure.h"
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <string_view>
 
 namespace crevice {
@@ -12,23 +14,16 @@ namespace {
 
 GlslType glslType(GLenum type)
 {
-    switch (type) {
-    case GL_FLOAT: return GlslType::float_;
-    case GL_FLOAT_VEC2: return GlslType::vec2;
-    case GL_FLOAT_VEC3: return GlslType::vec3;
-    case GL_FLOAT_VEC4: return GlslType::vec4;
-    case GL_INT: return GlslType::int_;
-    case GL_INT_VEC2: return GlslType::ivec2;
-    case GL_INT_VEC3: return GlslType::ivec3;
-    case GL_INT_VEC4: return GlslType::ivec4;
-    case GL_UNSIGNED_INT: return GlslType::uint_;
-    case GL_BOOL: return GlslType::bool_;
-    case GL_FLOAT_MAT3: return GlslType::mat3;
-    case GL_FLOAT_MAT4: return GlslType::mat4;
-    case GL_SAMPLER_2D: return GlslType::sampler2d;
-    case GL_SAMPLER_2D_MULTISAMPLE: return GlslType::sampler2d_ms;
-    default: return GlslType::other;
-    }
+    constexpr GLenum kTypes[] = {// in the order of GlslType
+                                 GL_FLOAT,        GL_FLOAT_VEC2,
+                                 GL_FLOAT_VEC3,   GL_FLOAT_VEC4,
+                                 GL_INT,          GL_INT_VEC2,
+                                 GL_INT_VEC3,     GL_INT_VEC4,
+                                 GL_UNSIGNED_INT, GL_BOOL,
+                                 GL_FLOAT_MAT3,   GL_FLOAT_MAT4,
+                                 GL_SAMPLER_2D,   GL_SAMPLER_2D_MULTISAMPLE};
+    const auto* const known = std::find(std::begin(kTypes), std::end(kTypes), type);
+    return static_cast<GlslType>(known - std::begin(kTypes));  // the last is GlslType::other
 }
 
 template <class GetValue, class GetLog>

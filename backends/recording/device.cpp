@@ -15,13 +15,8 @@ constexpr std::size_t kPassCapacity = 1 << 8;
 
 const char* kindName(ObjectId::Kind kind)
 {
-    switch (kind) {
-    case ObjectId::Kind::texture: return "texture";
-    case ObjectId::Kind::mesh: return "mesh";
-    case ObjectId::Kind::program: return "program";
-    case ObjectId::Kind::framebuffer: return "framebuffer";
-    }
-    return "";
+    constexpr const char* kNames[] = {"texture", "mesh", "program", "framebuffer"};
+    return kNames[static_cast<int>(kind)];
 }
 
 void addUniforms(std::vector<UniformInfo>& all, const GlslStage& stage)

@@ -33,18 +33,7 @@ constexpr const char* kStoreNames[] = {"store", "discard"};
 
 constexpr std::size_t kValuesShown = 16;
 
-bool isInteger(GlslType type)
-{
-    switch (type) {
-    case GlslType::int_:
-    case GlslType::ivec2:
-    case GlslType::ivec3:
-    case GlslType::ivec4:
-    case GlslType::uint_:
-    case GlslType::bool_: return true;
-    default: return false;
-    }
-}
+bool isInteger(GlslType type) { return type >= GlslType::int_ && type <= GlslType::bool_; }
 
 // Line with a space before each.
 class Line {

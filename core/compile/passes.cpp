@@ -90,13 +90,9 @@ void addGeneratedAndImports(const State& state, Plan& plan)
 // The same depth test for reversed depth, where nearer surfaces have the larger depth.
 Compare reversed(Compare test)
 {
-    switch (test) {
-    case Compare::less: return Compare::greater;
-    case Compare::less_equal: return Compare::greater_equal;
-    case Compare::greater: return Compare::less;
-    case Compare::greater_equal: return Compare::less_equal;
-    default: return test;
-    }
+    constexpr Compare kReversed[] = {Compare::always, Compare::greater,    Compare::greater_equal,
+                                     Compare::less,   Compare::less_equal, Compare::equal};
+    return kReversed[static_cast<int>(test)];  // in the order of Compare
 }
 
 bool isScissored(const State& state, const PassDesc& pass)

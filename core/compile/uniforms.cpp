@@ -2,6 +2,7 @@
 // Uniforms: the texture, param, kernel or frame value behind each, and how many the device holds.
 #include "core/compile/steps.h"
 
+#include "core/config/values.h"
 #include "core/frame/frame_values.h"
 #include "core/sampling/generators.h"
 
@@ -69,20 +70,14 @@ std::string spell(GlslType type, std::string_view name, int count)
     return count > 0 ? text + "[" + std::to_string(count) + "]" : text;
 }
 
-// What a sampler may be called, or another uniform.
-std::vector<std::string> namesFor(const Description& description, const PassDesc& pass,
-                                  bool textures)
+// What a uniform may be called that is no sampler.
+std::vector<std::string> valueNames(const Description& description, const PassDesc& pass)
 {
     std::vector<std::string> names = namesOf(description.params);
-    if (textures) names = namesOf(description.targets);
     for (const GeneratedDesc& each : description.generated)
-        if (generatesTexture(each.generator) == textures) names.push_back(each.name);
-    for (const TargetDesc& each : description.targets)
-        if (textures && each.history) names.push_back(historyName(each));
-    for (const ImportDesc& each : description.imports)
-        if (textures && each.type == ImportType::texture) names.push_back(each.name);
+        if (!generatesTexture(each.generator)) names.push_back(each.name);
     for (const FrameValueInfo& each : kFrameValues)
-        if (!textures && (each.import != ImportType::draw_list || pass.type == PassType::draw))
+        if (each.import != ImportType::draw_list || pass.type == PassType::draw)
             names.push_back(each.name);
     return names;
 }
@@ -137,7 +132,9 @@ void reportUnbound(State& state, const Pass& pass, const GlslUniform& uniform,
                                                        : "' is supplied by nothing");
     const std::string help =
         draws_only ? "make the pass a draw, or drop the uniform"
-                   : suggestName(name, namesFor(state.description, *pass.desc, texture),
+                   : suggestName(name,
+                                 texture ? textureNames(state.description)
+                                         : valueNames(state.description, *pass.desc),
                                  texture ? "textures" : "values") +
                          "; or declare it under '" + (texture ? "targets'" : "params'");
     Diagnostic& error = reportGlsl(state, Code::uniform_unbound, quoted(pass) + ": " + what, pass,

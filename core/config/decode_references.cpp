@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/config/field_types.h"
+#include "core/config/values.h"
 #include "core/frame/frame_values.h"
 #include "core/sampling/generators.h"
 
@@ -32,21 +33,233 @@ bool isCount(std::string_view text)
 
 class Checker {
 public:
-    Checker(const Node& document, const Description& description, Report& report);
-    std::set<std::string> run();
+    Checker(const Node& document, const Description& description, Report& report)
+        : document_(document),
+          description_(description),
+          report_(report)
+    {
+        targets_.all = sized_.all = namesOf(description.targets);
+        inputs_.all = textureNames(description);
+        for (const ImportDesc& each : description.imports)
+            if (each.type == ImportType::texture) sized_.all.push_back(each.name);
+        if (inputs_.all.size() > targets_.all.size()) inputs_.listed = "targets and textures";
+        shaders_.all = namesOf(description.shaders);
+        params_.all = namesOf(description.params);
+        subjects_.all = namesOf(description.features);
+        for (const TraitInfo& trait : kTraits) subjects_.all.push_back(trait.name);
+    }
+
+    std::set<std::string> run()
+    {
+        for (const GeneratedDesc& each : description_.generated)
+            expectNumber(each.count_param, "generated '" + each.name + "'", "count",
+                         ParamType::int_, range(1, mostCount(each.generator)));
+        for (const TargetDesc& each : description_.targets) {
+            const std::string who = "target '" + each.name + "'";
+            expect(each.size.of, who + " follows the size of", sized_);
+            if (!each.size.optional || contains(params_.all, each.size.scale_param.name))
+                expectNumber(each.size.scale_param, who, "scale", ParamType::float_,
+                             range(smallestScale(each.size), kLargestScale));
+            expectNumber(each.samples_param, who, "samples", ParamType::int_,
+                         range(1, kMaxSamples));
+        }
+        for (const PassDesc& each : description_.passes) checkPass(each);
+        for (const OutputDesc& each : description_.outputs)
+            expect(each.target, "output '" + each.name + "' exports", targets_);
+        for (const ViewDesc& each : description_.views)
+            expect(each.target, "view '" + each.name + "' shows", targets_);
+        return std::move(named_);
+    }
 
 private:
-    bool known(const Reference& reference, const Names& names) const;
-    void expect(const Reference& reference, const std::string& who, const Names& names);
-    void expectNumber(const Reference& name, const std::string& who, const std::string& number,
-                      ParamType type, const Rule& limits);
+    // True too when the reference was not written, or is explained by an error already reported.
+    bool known(const Reference& reference, const Names& names) const
+    {
+        const auto broken = [&](const std::string& section) {
+            return report_.errorAt("/" + section);
+        };
+        return reference.pointer.empty() || contains(names.all, reference.name) ||
+               std::any_of(names.sections.begin(), names.sections.end(), broken);
+    }
 
-    void checkPass(const PassDesc& pass);
-    void checkWrites(const PassDesc& pass);
-    void checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb);
-    void checkUndrawn(const PassDesc& pass);
-    void checkTerm(const PassDesc& pass, const Condition::Term& term);
-    void checkInput(const PassDesc& pass, const InputDesc& input);
+    void expect(const Reference& reference, const std::string& who, const Names& names)
+    {
+        named_.insert(reference.name);
+        if (known(reference, names)) return;
+        if (report_.full()) return report_.count();
+        const bool target = names.code == Code::target_missing;
+        const std::string makers =
+            target ? modulesThatDeclare(report_.sources, "targets", reference.name) : "";
+        Reported& error =
+            report_.at(reference, names.code,
+                       who + " " + names.what + " '" + reference.name + "', which does not exist",
+                       makers.empty() ? suggestName(reference.name, names.all, names.listed)
+                                      : "add a module that makes it to 'extends': " + makers);
+        error.mistake = names.what + " " + reference.name;
+        if (isModule(reference.place)) error.cause = ownPlace(reference.place);
+        for (const Named& each : description_.deleted) {
+            for (const std::string& section : names.sections) {
+                const std::string pointer = memberPointer("", section);
+                if (each.pointer != pointer &&
+                    each.pointer != memberPointer(pointer, reference.name))
+                    continue;
+                error.notes.push_back({each.place, "it was deleted here"});
+                error.help = "leave the null out, or delete what names it too; " + error.help;
+                if (isModule(reference.place)) error.cause = each.place;
+            }
+        }
+    }
+
+    // A number that is taken from a param: that must fit, and start inside the limits.
+    void expectNumber(const Reference& name, const std::string& who, const std::string& number,
+                      ParamType type, const Rule& limits)
+    {
+        const std::string takes = who + " takes its " + number + " from";
+        expect(name, takes, params_);
+        const ParamDesc* param = findNamed(description_.params, name.name);
+        if (!param || report_.errorWithin(param->pointer)) return;
+        if (param->type != ParamType::int_ && param->type != type) {
+            report_.at(name, Code::reference_missing,
+                       takes + " param '" + name.name + "', which has another type",
+                       "give '" + name.name + "' the type \"" + word(type) + "\"");
+        } else if (!(param->value[0] >= limits.min && param->value[0] <= limits.max)) {
+            const Reference value = referenceAt(document_, param->pointer + "/default");
+            Reported& error = report_.at(
+                value, Code::out_of_range,
+                param->name + " default " + value.name + " is outside [" + numberText(limits.min) +
+                    ", " + numberText(limits.max) + "], the " + number + "s that " + who +
+                    " may have",
+                "stay inside the range, and let '" + param->name + "' have it as min and max");
+            error.notes.push_back({name.place, "the " + number + " is taken from it here"});
+        }
+    }
+
+    void checkPass(const PassDesc& pass)
+    {
+        const std::string who = "pass '" + pass.name + "' ";
+        expect(pass.shader, who + "runs", shaders_);
+        checkWrites(pass);
+        for (const ClearDesc& each : pass.clear) checkAttached(pass, each.target, "clears");
+        checkUndrawn(pass);
+        for (const Condition::Term& each : pass.when.terms) checkTerm(pass, each);
+        for (const BypassDesc& each : pass.bypass) {
+            checkAttached(pass, each.output, "bypasses");
+            expect(each.input, who + "reads", targets_);
+        }
+        for (const NoOpDesc& each : pass.no_op) {
+            expect(each.param, who + "is a no-op at a value of", params_);
+            for (const NoOpDesc::Gives& gives : each.gives) {
+                checkAttached(pass, gives.output, "gives");
+                expect(gives.input, who + "reads", targets_);
+            }
+        }
+        expect(pass.frustum_scale_param, who + "has as frustum scale", params_);
+        for (const PreservesConstantDesc& each : pass.preserves_constant)
+            checkAttached(pass, each.output, "preserves as constant");
+        for (const InputDesc& each : pass.inputs) checkInput(pass, each);
+    }
+
+    void checkWrites(const PassDesc& pass)
+    {
+        std::vector<Reference> targets = pass.color;
+        targets.push_back(pass.depth);
+        std::set<std::string> written;
+        for (const Reference& target : targets) {
+            expect(target, "pass '" + pass.name + "' writes", targets_);
+            if (target.pointer.empty() || written.insert(target.name).second) continue;
+            report_.at(target, Code::two_writers,
+                       "pass '" + pass.name + "' writes target '" + target.name + "' twice",
+                       "give each output of the shader a target of its own");
+        }
+    }
+
+    // Clear, bypass and no_op speak of what the pass itself writes.
+    void checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb)
+    {
+        const std::string who = "pass '" + pass.name + "' " + verb;
+        std::vector<std::string> written = namesOf(pass.color);
+        if (!pass.depth.pointer.empty()) written.push_back(pass.depth.name);
+        if (!known(target, targets_)) return expect(target, who, targets_);
+        const bool reported = report_.errorWithin(pass.pointer + "/color") ||
+                              report_.errorWithin(pass.pointer + "/depth");
+        if (reported || contains(written, target.name)) return;
+        report_.at(target, Code::reference_missing,
+                   who + " target '" + target.name + "', which it does not write",
+                   suggestName(target.name, written, "its targets"));
+    }
+
+    // What a pass is not drawn everywhere for, and that it says what is elsewhere.
+    void checkUndrawn(const PassDesc& pass)
+    {
+        const std::string who = "pass '" + pass.name + "' ";
+        expect(pass.mask, who + "has as mask", targets_);
+        expect(pass.cull_below_pixel, who + "culls by", params_);
+        const ParamDesc* length = findNamed(description_.params, pass.cull_below_pixel.name);
+        if (length && length->type != ParamType::float_ && !report_.errorWithin(length->pointer))
+            report_.at(pass.cull_below_pixel, Code::reference_missing,
+                       who + "culls by '" + length->name + "', which is not a float",
+                       "name a param of type float, in scene units");
+        if ((pass.mask.empty() && !pass.scissor) || report_.errorWithin(pass.pointer)) return;
+        std::vector<Reference> written = pass.color;
+        if (pass.scissor && !pass.depth.empty()) written.push_back(pass.depth);
+        for (const Reference& target : written) {
+            const auto clears = [&](const ClearDesc& each) {
+                return each.target.name == target.name;
+            };
+            if (std::any_of(pass.clear.begin(), pass.clear.end(), clears)) continue;
+            Reported& error =
+                report_.at(target, Code::missing_key,
+                           who + "is not drawn everywhere, and its `clear` does not say what '" +
+                               target.name + "' is elsewhere",
+                           "add to the pass: \"clear\": {\"" + target.name +
+                               "\": 1}, or what its shader writes where nothing is seen");
+            if (isModule(target.place)) error.cause = ownPlace(target.place);
+        }
+    }
+
+    void checkTerm(const PassDesc& pass, const Condition::Term& term)
+    {
+        expect(term.subject, "pass '" + pass.name + "' depends on", subjects_);
+        const std::string& subject = term.subject.name;
+        const FeatureDesc* feature = findNamed(description_.features, subject);
+        const TraitInfo* trait = findNamed(kTraits, subject);
+        if (!feature && !trait) return;
+        if (report_.errorWithin(term.subject.pointer)) return;
+        if (feature && report_.errorWithin(feature->pointer)) return;
+        const std::vector<std::string> allowed =
+            feature ? feature->values : std::vector<std::string>{"false", "true"};
+        const bool list = locate(document_, term.subject.pointer).node->kind == Node::Kind::array;
+        for (std::size_t i = 0; i < term.values.size(); ++i) {
+            const std::string& value = term.values[i];
+            if (contains(allowed, value) || (trait && trait->count && isCount(value))) continue;
+            const std::string item = list ? "/" + std::to_string(i) : "";
+            report_.at(referenceAt(document_, term.subject.pointer + item), Code::feature_value,
+                       "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
+                           "', which it never is",
+                       suggestName(value, allowed, "values") +
+                           (trait && trait->count ? ", or a number" : ""));
+        }
+    }
+
+    void checkInput(const PassDesc& pass, const InputDesc& input)
+    {
+        const bool renamed = !input.from.pointer.empty();
+        const Reference& source = renamed ? input.from : input.sampler;
+        const bool broken = report_.errorAt(input.sampler.pointer) ||
+                            report_.errorAt(input.sampler.pointer + "/from");
+        if (broken) return;
+        if (indexOf(kMaterialMaps, source.name) >= 0 && !contains(inputs_.all, source.name)) {
+            if (pass.type == PassType::draw || report_.errorAt(pass.pointer + "/type")) return;
+            Reported& error =
+                report_.at(source, Code::target_missing,
+                           "pass '" + pass.name + "' reads the material's '" + source.name +
+                               "', which a draw pass alone has",
+                           "let the pass be of type \"draw\", or take this input away");
+            error.mistake = "material maps of " + pass.pointer;
+            return;
+        }
+        expect(source, "pass '" + pass.name + "' reads", inputs_);
+    }
 
     const Node& document_;
     const Description& description_;
@@ -60,230 +273,6 @@ private:
     Names params_ = {"param", "params", Code::reference_missing, {"params"}};
     Names subjects_ = {"feature or trait", "names", Code::feature_missing, {"features"}};
 };
-
-Checker::Checker(const Node& document, const Description& description, Report& report)
-    : document_(document),
-      description_(description),
-      report_(report)
-{
-    targets_.all = sized_.all = inputs_.all = namesOf(description.targets);
-    for (const TargetDesc& each : description.targets)
-        if (each.history) inputs_.all.push_back(historyName(each));
-    for (const GeneratedDesc& each : description.generated)
-        if (each.generator.empty() || generatesTexture(each.generator))
-            inputs_.all.push_back(each.name);
-    for (const ImportDesc& each : description.imports)
-        if (each.type == ImportType::texture)
-            for (Names* names : {&sized_, &inputs_}) names->all.push_back(each.name);
-    if (inputs_.all.size() > targets_.all.size()) inputs_.listed = "targets and textures";
-    shaders_.all = namesOf(description.shaders);
-    params_.all = namesOf(description.params);
-    subjects_.all = namesOf(description.features);
-    for (const TraitInfo& trait : kTraits) subjects_.all.push_back(trait.name);
-}
-
-std::set<std::string> Checker::run()
-{
-    for (const GeneratedDesc& each : description_.generated)
-        expectNumber(each.count_param, "generated '" + each.name + "'", "count", ParamType::int_,
-                     range(1, mostCount(each.generator)));
-    for (const TargetDesc& each : description_.targets) {
-        const std::string who = "target '" + each.name + "'";
-        expect(each.size.of, who + " follows the size of", sized_);
-        if (!each.size.optional || contains(params_.all, each.size.scale_param.name))
-            expectNumber(each.size.scale_param, who, "scale", ParamType::float_,
-                         range(smallestScale(each.size), kLargestScale));
-        expectNumber(each.samples_param, who, "samples", ParamType::int_, range(1, kMaxSamples));
-    }
-    for (const PassDesc& each : description_.passes) checkPass(each);
-    for (const OutputDesc& each : description_.outputs)
-        expect(each.target, "output '" + each.name + "' exports", targets_);
-    for (const ViewDesc& each : description_.views)
-        expect(each.target, "view '" + each.name + "' shows", targets_);
-    return std::move(named_);
-}
-
-// True too when the reference was not written, or is explained by an error already reported.
-bool Checker::known(const Reference& reference, const Names& names) const
-{
-    const auto broken = [&](const std::string& section) { return report_.errorAt("/" + section); };
-    return reference.pointer.empty() || contains(names.all, reference.name) ||
-           std::any_of(names.sections.begin(), names.sections.end(), broken);
-}
-
-void Checker::expect(const Reference& reference, const std::string& who, const Names& names)
-{
-    named_.insert(reference.name);
-    if (known(reference, names)) return;
-    if (report_.full()) return report_.count();
-    const bool target = names.code == Code::target_missing;
-    const std::string makers =
-        target ? modulesThatDeclare(report_.sources, "targets", reference.name) : "";
-    Reported& error =
-        report_.at(reference, names.code,
-                   who + " " + names.what + " '" + reference.name + "', which does not exist",
-                   makers.empty() ? suggestName(reference.name, names.all, names.listed)
-                                  : "add a module that makes it to 'extends': " + makers);
-    error.mistake = names.what + " " + reference.name;
-    if (isModule(reference.place)) error.cause = ownPlace(reference.place);
-    for (const Named& each : description_.deleted) {
-        for (const std::string& section : names.sections) {
-            const std::string pointer = memberPointer("", section);
-            if (each.pointer != pointer && each.pointer != memberPointer(pointer, reference.name))
-                continue;
-            error.notes.push_back({each.place, "it was deleted here"});
-            error.help = "leave the null out, or delete what names it too; " + error.help;
-            if (isModule(reference.place)) error.cause = each.place;
-        }
-    }
-}
-
-// A number that is taken from a param: that must fit, and start inside the limits.
-void Checker::expectNumber(const Reference& name, const std::string& who, const std::string& number,
-                           ParamType type, const Rule& limits)
-{
-    const std::string takes = who + " takes its " + number + " from";
-    expect(name, takes, params_);
-    const ParamDesc* param = findNamed(description_.params, name.name);
-    if (!param || report_.errorWithin(param->pointer)) return;
-    if (param->type != ParamType::int_ && param->type != type) {
-        report_.at(name, Code::reference_missing,
-                   takes + " param '" + name.name + "', which has another type",
-                   "give '" + name.name + "' the type \"" + word(type) + "\"");
-    } else if (!(param->value[0] >= limits.min && param->value[0] <= limits.max)) {
-        const Reference value = referenceAt(document_, param->pointer + "/default");
-        Reported& error = report_.at(
-            value, Code::out_of_range,
-            param->name + " default " + value.name + " is outside [" + numberText(limits.min) +
-                ", " + numberText(limits.max) + "], the " + number + "s that " + who + " may have",
-            "stay inside the range, and let '" + param->name + "' have it as min and max");
-        error.notes.push_back({name.place, "the " + number + " is taken from it here"});
-    }
-}
-
-void Checker::checkPass(const PassDesc& pass)
-{
-    const std::string who = "pass '" + pass.name + "' ";
-    expect(pass.shader, who + "runs", shaders_);
-    checkWrites(pass);
-    for (const ClearDesc& each : pass.clear) checkAttached(pass, each.target, "clears");
-    checkUndrawn(pass);
-    for (const Condition::Term& each : pass.when.terms) checkTerm(pass, each);
-    for (const BypassDesc& each : pass.bypass) {
-        checkAttached(pass, each.output, "bypasses");
-        expect(each.input, who + "reads", targets_);
-    }
-    for (const NoOpDesc& each : pass.no_op) {
-        expect(each.param, who + "is a no-op at a value of", params_);
-        for (const NoOpDesc::Gives& gives : each.gives) {
-            checkAttached(pass, gives.output, "gives");
-            expect(gives.input, who + "reads", targets_);
-        }
-    }
-    expect(pass.frustum_scale_param, who + "has as frustum scale", params_);
-    for (const PreservesConstantDesc& each : pass.preserves_constant)
-        checkAttached(pass, each.output, "preserves as constant");
-    for (const InputDesc& each : pass.inputs) checkInput(pass, each);
-}
-
-void Checker::checkWrites(const PassDesc& pass)
-{
-    std::vector<Reference> targets = pass.color;
-    targets.push_back(pass.depth);
-    std::set<std::string> written;
-    for (const Reference& target : targets) {
-        expect(target, "pass '" + pass.name + "' writes", targets_);
-        if (target.pointer.empty() || written.insert(target.name).second) continue;
-        report_.at(target, Code::two_writers,
-                   "pass '" + pass.name + "' writes target '" + target.name + "' twice",
-                   "give each output of the shader a target of its own");
-    }
-}
-
-// Clear, bypass and no_op speak of what the pass itself writes.
-void Checker::checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb)
-{
-    const std::string who = "pass '" + pass.name + "' " + verb;
-    std::vector<std::string> written = namesOf(pass.color);
-    if (!pass.depth.pointer.empty()) written.push_back(pass.depth.name);
-    if (!known(target, targets_)) return expect(target, who, targets_);
-    const bool reported = report_.errorWithin(pass.pointer + "/color") ||
-                          report_.errorWithin(pass.pointer + "/depth");
-    if (reported || contains(written, target.name)) return;
-    report_.at(target, Code::reference_missing,
-               who + " target '" + target.name + "', which it does not write",
-               suggestName(target.name, written, "its targets"));
-}
-
-// What a pass is not drawn everywhere for, and that it says what is elsewhere.
-void Checker::checkUndrawn(const PassDesc& pass)
-{
-    const std::string who = "pass '" + pass.name + "' ";
-    expect(pass.mask, who + "has as mask", targets_);
-    expect(pass.cull_below_pixel, who + "culls by", params_);
-    const ParamDesc* length = findNamed(description_.params, pass.cull_below_pixel.name);
-    if (length && length->type != ParamType::float_ && !report_.errorWithin(length->pointer))
-        report_.at(pass.cull_below_pixel, Code::reference_missing,
-                   who + "culls by '" + length->name + "', which is not a float",
-                   "name a param of type float, in scene units");
-    if ((pass.mask.empty() && !pass.scissor) || report_.errorWithin(pass.pointer)) return;
-    std::vector<Reference> written = pass.color;
-    if (pass.scissor && !pass.depth.empty()) written.push_back(pass.depth);
-    for (const Reference& target : written) {
-        const auto clears = [&](const ClearDesc& each) { return each.target.name == target.name; };
-        if (std::any_of(pass.clear.begin(), pass.clear.end(), clears)) continue;
-        Reported& error =
-            report_.at(target, Code::missing_key,
-                       who + "is not drawn everywhere, and its `clear` does not say what '" +
-                           target.name + "' is elsewhere",
-                       "add to the pass: \"clear\": {\"" + target.name +
-                           "\": 1}, or what its shader writes where nothing is seen");
-        if (isModule(target.place)) error.cause = ownPlace(target.place);
-    }
-}
-
-void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
-{
-    expect(term.subject, "pass '" + pass.name + "' depends on", subjects_);
-    const std::string& subject = term.subject.name;
-    const FeatureDesc* feature = findNamed(description_.features, subject);
-    const TraitInfo* trait = findNamed(kTraits, subject);
-    if (!feature && !trait) return;
-    if (report_.errorWithin(term.subject.pointer)) return;
-    if (feature && report_.errorWithin(feature->pointer)) return;
-    const std::vector<std::string> allowed =
-        feature ? feature->values : std::vector<std::string>{"false", "true"};
-    const bool list = locate(document_, term.subject.pointer).node->kind == Node::Kind::array;
-    for (std::size_t i = 0; i < term.values.size(); ++i) {
-        const std::string& value = term.values[i];
-        if (contains(allowed, value) || (trait && trait->count && isCount(value))) continue;
-        const std::string item = list ? "/" + std::to_string(i) : "";
-        report_.at(
-            referenceAt(document_, term.subject.pointer + item), Code::feature_value,
-            "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
-                "', which it never is",
-            suggestName(value, allowed, "values") + (trait && trait->count ? ", or a number" : ""));
-    }
-}
-
-void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
-{
-    const bool renamed = !input.from.pointer.empty();
-    const Reference& source = renamed ? input.from : input.sampler;
-    const bool broken =
-        report_.errorAt(input.sampler.pointer) || report_.errorAt(input.sampler.pointer + "/from");
-    if (broken) return;
-    if (indexOf(kMaterialMaps, source.name) >= 0 && !contains(inputs_.all, source.name)) {
-        if (pass.type == PassType::draw || report_.errorAt(pass.pointer + "/type")) return;
-        Reported& error = report_.at(source, Code::target_missing,
-                                     "pass '" + pass.name + "' reads the material's '" +
-                                         source.name + "', which a draw pass alone has",
-                                     "let the pass be of type \"draw\", or take this input away");
-        error.mistake = "material maps of " + pass.pointer;
-        return;
-    }
-    expect(source, "pass '" + pass.name + "' reads", inputs_);
-}
 
 // Names of things that `who` sees together, so that no two may have the same.
 struct SharedNames {

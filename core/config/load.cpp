@@ -132,45 +132,6 @@ void checkTaken(const Node& document, Diagnostics& errors)
                               member.key_place, memberPointer("", member.key)});
 }
 
-// Reads a config's files, each once and each after all that it extends.
-class FileLoader {
-public:
-    FileLoader(const SourceSet& all, const LoadRequest& request) : sources(all), request_(request)
-    {
-    }
-
-    Removal run();
-    LoadedFile* find(const std::string& identity);
-
-    const SourceSet& sources;
-    std::vector<LoadedFile> files;  // in the order of merging
-    std::string config;             // the identity of the config itself
-    Diagnostics errors;
-
-private:
-    void load(const SourceRef& found, const Place& asked, const std::string& pointer);
-    void loadAdded();
-    void checkClashes();
-    Names madeBy(const std::string& module) const;
-    void checkSwaps();
-    void readSwaps();
-    const Node& swapped(const Node& entry);
-    bool mayOpen(const LoadedFile& file);
-    bool isFull(const LoadedFile& file);
-    Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const;
-    void loadEntry(const Node& entry, const std::string& pointer);
-    void checkFormat(const Node& document);
-    std::vector<Node> takeNames(Node& document, const char* key);
-    std::vector<Member> takeVariants(Node& document);
-
-    const LoadRequest request_;
-    std::vector<LoadedFile> open_;  // from the config to the file being read
-    int named_ = 0;                 // so many files, the same ones again included
-    bool full_ = false;             // as `limits` say
-    std::vector<Override> swaps_;
-    std::vector<std::string> extends_;  // all that configs name
-};
-
 // What distinguishes two files, by whatever path they were reached. A catalog path never begins
 // with '/', a canonical path on disk always does.
 std::string identityOf(const SourceText& source)
@@ -181,295 +142,321 @@ std::string identityOf(const SourceText& source)
     return error ? source.name : canonical.string();
 }
 
-// Reads the config and all that it extends. What it returns was left out.
-Removal FileLoader::run()
-{
-    readSwaps();
-    const Result<SourceRef> found = findConfig(sources, request_);
-    if (!found) {
-        errors = found.diagnostics();
-        return {};
+// Reads a config's files, each once and each after all that it extends.
+class FileLoader {
+public:
+    FileLoader(const SourceSet& all, const LoadRequest& request) : sources(all), request_(request)
+    {
     }
-    config = identityOf(**found);
-    load(*found, {}, "");
-    loadAdded();
-    if (errors.empty()) checkSwaps();
-    Removal left_out;
-    if (errors.empty()) left_out = leaveOutReplaced(files);
-    if (errors.empty()) checkClashes();
-    cutShort(errors);
-    return left_out;
-}
 
-// The file if it was read, else null.
-LoadedFile* FileLoader::find(const std::string& identity)
-{
-    for (LoadedFile& file : files)
-        if (file.identity == identity) return &file;
-    return nullptr;
-}
+    const SourceSet& sources;
+    std::vector<LoadedFile> files;  // in the order of merging
+    std::string config;             // the identity of the config itself
+    Diagnostics errors;
 
-void FileLoader::load(const SourceRef& found, const Place& asked, const std::string& pointer)
-{
-    LoadedFile file{{found->name, asked, pointer}, identityOf(*found)};
-    LoadedFile* const done = find(file.identity);
-    if (done) done->named = named_++;
-    if (done || !mayOpen(file) || isFull(file)) return;
-    file.named = named_++;
-    SourceText text = *found;
-    if (asked.source) text.asked = std::make_shared<const Place>(asked);
-    Result<Node> document = parseDocument(std::make_shared<const SourceText>(std::move(text)));
-    append(errors, document.diagnostics());
-    if (document) {
-        checkFormat(*document);
-        takeMember(*document, "$schema");  // by which editors find what checks the file
-        const std::vector<Node> extends = takeNames(*document, "extends");
-        for (const Node& each : takeNames(*document, "needs")) file.needs.push_back(each.text);
-        for (const Node& each : takeNames(*document, "replaces"))
-            file.replaces.push_back(each.text);
-        file.variants = takeVariants(*document);
-        open_.push_back(std::move(file));
-        for (std::size_t i = 0; i < extends.size(); ++i)
-            if (extends[i].kind == Node::Kind::string)
-                loadEntry(swapped(extends[i]), "/extends/" + std::to_string(i));
-        file = std::move(open_.back());
-        open_.pop_back();
-        file.body = std::move(*document);
-    }
-    files.push_back(std::move(file));
-}
-
-// What overrides lay over the config, as if it were at the end of its `extends`.
-void FileLoader::loadAdded()
-{
-    for (const std::string& text : request_.overrides) {
-        if (!adds(text)) continue;
-        const Place place = overridePlace(text, rootsOf(request_));
-        if (text.size() == 1)
-            errors.push_back({Code::override_syntax, "found '+' where +MODULE was wanted",
-                              "write +geometry/host_depth", place});
-        else
-            loadEntry(textNode(text.substr(1), place), "");
-    }
-}
-
-void FileLoader::readSwaps()
-{
-    for (const std::string& text : request_.overrides) {
-        if (!swaps(text)) continue;
-        Result<Override> read = readOverride(text, rootsOf(request_));
-        append(errors, read.diagnostics());
-        if (read && read->value.kind != Node::Kind::string)
-            errors.push_back(wrongType(read->value, "a name", "",
-                                       "write the name of a module; to set a value, write its name "
-                                       "alone, or a path that begins with '/'"));
-        else if (read)
-            swaps_.push_back(std::move(*read));
-    }
-}
-
-// What an override puts in the place of an entry of `extends`. What modules extend is theirs.
-const Node& FileLoader::swapped(const Node& entry)
-{
-    const std::string& file = entry.place.source->path;
-    if (!file.empty() && !isRelative(file) && !startsWith(file, kConfigs)) return entry;
-    extends_.push_back(entry.text);
-    const Override* swap = findNamed(swaps_, entry.text);
-    return swap ? swap->value : entry;
-}
-
-// The targets and interfaces that a module and what it extends make.
-Names FileLoader::madeBy(const std::string& module) const
-{
-    FileLoader loader(sources, {R"({"format": 1, "extends": [)" + jsonString(module) + "]}"});
-    loader.run();
-    Names made;
-    for (const LoadedFile& file : loader.files) collectNames(file.body, false, made);
-    for (auto each = made.begin(); each != made.end();)
-        each = each->first == "targets" || each->first == "interfaces" ? std::next(each)
-                                                                       : made.erase(each);
-    return made;
-}
-
-// One swap for another that makes nothing of the same names leaves a hole, of which each reader
-// would be reported.
-void FileLoader::checkSwaps()
-{
-    for (const Override& swap : swaps_) {
-        if (!contains(extends_, swap.name)) {
-            errors.push_back({Code::module_missing, "no config extends '" + swap.name + "'",
-                              suggestName(swap.name, extends_, "modules to swap"), swap.place});
-            continue;
+    // Reads the config and all that it extends. What it returns was left out.
+    Removal run()
+    {
+        readSwaps();
+        const Result<SourceRef> found = findConfig(sources, request_);
+        if (!found) {
+            errors = found.diagnostics();
+            return {};
         }
-        const Names wanted = madeBy(swap.name);
-        const auto serves = [&](const std::string& module) {
-            const Names made = madeBy(module);
-            return std::any_of(made.begin(), made.end(),
-                               [&](const auto& each) { return wanted.count(each) > 0; });
-        };
-        if (wanted.empty() || serves(swap.value.text)) continue;
-        std::vector<std::string> others;
-        const std::string folder = swap.name.substr(0, swap.name.rfind('/') + 1);
-        for (const std::string& each : namesIn(sources, true))
-            if (startsWith(each, folder) && serves(each)) others.push_back(each);
-        errors.push_back({Code::module_missing,
-                          "'" + swap.value.text + "' makes nothing of what '" + swap.name +
-                              "' makes, whose place it would take",
-                          suggestName(swap.value.text, others, "modules that can"),
-                          swap.value.place});
+        config = identityOf(**found);
+        load(*found, {}, "");
+        loadAdded();
+        if (errors.empty()) checkSwaps();
+        Removal left_out;
+        if (errors.empty()) left_out = leaveOutReplaced(files);
+        if (errors.empty()) checkClashes();
+        cutShort(errors);
+        return left_out;
     }
-}
 
-// Reports one clash, that of the files read last: those before are often what they extend.
-void FileLoader::checkClashes()
-{
-    for (std::size_t later = files.size(); later-- > 1;)
-        for (std::size_t first = later; first-- > 0;) {
-            // A file is read after all that it extends.
-            if (files[later].extended.count(files[first].identity) > 0) continue;
-            const auto made = madeByBoth(files[first].body, files[later].body);
-            if (!made) continue;
+    // The file if it was read, else null.
+    LoadedFile* find(const std::string& identity)
+    {
+        for (LoadedFile& file : files)
+            if (file.identity == identity) return &file;
+        return nullptr;
+    }
+
+private:
+    void load(const SourceRef& found, const Place& asked, const std::string& pointer)
+    {
+        LoadedFile file{{found->name, asked, pointer}, identityOf(*found)};
+        LoadedFile* const done = find(file.identity);
+        if (done) done->named = named_++;
+        if (done || !mayOpen(file) || isFull(file)) return;
+        file.named = named_++;
+        SourceText text = *found;
+        if (asked.source) text.asked = std::make_shared<const Place>(asked);
+        Result<Node> document = parseDocument(std::make_shared<const SourceText>(std::move(text)));
+        append(errors, document.diagnostics());
+        if (document) {
+            checkFormat(*document);
+            takeMember(*document, "$schema");  // by which editors find what checks the file
+            const std::vector<Node> extends = takeNames(*document, "extends");
+            for (const Node& each : takeNames(*document, "needs")) file.needs.push_back(each.text);
+            for (const Node& each : takeNames(*document, "replaces"))
+                file.replaces.push_back(each.text);
+            file.variants = takeVariants(*document);
+            open_.push_back(std::move(file));
+            for (std::size_t i = 0; i < extends.size(); ++i)
+                if (extends[i].kind == Node::Kind::string)
+                    loadEntry(swapped(extends[i]), "/extends/" + std::to_string(i));
+            file = std::move(open_.back());
+            open_.pop_back();
+            file.body = std::move(*document);
+        }
+        files.push_back(std::move(file));
+    }
+
+    // What overrides lay over the config, as if it were at the end of its `extends`.
+    void loadAdded()
+    {
+        for (const std::string& text : request_.overrides) {
+            if (!adds(text)) continue;
+            const Place place = overridePlace(text, rootsOf(request_));
+            if (text.size() == 1)
+                errors.push_back({Code::override_syntax, "found '+' where +MODULE was wanted",
+                                  "write +geometry/host_depth", place});
+            else
+                loadEntry(textNode(text.substr(1), place), "");
+        }
+    }
+
+    void readSwaps()
+    {
+        for (const std::string& text : request_.overrides) {
+            if (!swaps(text)) continue;
+            Result<Override> read = readOverride(text, rootsOf(request_));
+            append(errors, read.diagnostics());
+            if (read && read->value.kind != Node::Kind::string)
+                errors.push_back(
+                    wrongType(read->value, "a name", "",
+                              "write the name of a module; to set a value, write its name "
+                              "alone, or a path that begins with '/'"));
+            else if (read)
+                swaps_.push_back(std::move(*read));
+        }
+    }
+
+    // What an override puts in the place of an entry of `extends`. What modules extend is theirs.
+    const Node& swapped(const Node& entry)
+    {
+        const std::string& file = entry.place.source->path;
+        if (!file.empty() && !isRelative(file) && !startsWith(file, kConfigs)) return entry;
+        extends_.push_back(entry.text);
+        const Override* swap = findNamed(swaps_, entry.text);
+        return swap ? swap->value : entry;
+    }
+
+    // The targets and interfaces that a module and what it extends make.
+    Names madeBy(const std::string& module) const
+    {
+        FileLoader loader(sources, {R"({"format": 1, "extends": [)" + jsonString(module) + "]}"});
+        loader.run();
+        Names made;
+        for (const LoadedFile& file : loader.files) collectNames(file.body, false, made);
+        for (auto each = made.begin(); each != made.end();)
+            each = each->first == "targets" || each->first == "interfaces" ? std::next(each)
+                                                                           : made.erase(each);
+        return made;
+    }
+
+    // One swap for another that makes nothing of the same names leaves a hole, of which each reader
+    // would be reported.
+    void checkSwaps()
+    {
+        for (const Override& swap : swaps_) {
+            if (!contains(extends_, swap.name)) {
+                errors.push_back({Code::module_missing, "no config extends '" + swap.name + "'",
+                                  suggestName(swap.name, extends_, "modules to swap"), swap.place});
+                continue;
+            }
+            const Names wanted = madeBy(swap.name);
+            const auto serves = [&](const std::string& module) {
+                const Names made = madeBy(module);
+                return std::any_of(made.begin(), made.end(),
+                                   [&](const auto& each) { return wanted.count(each) > 0; });
+            };
+            if (wanted.empty() || serves(swap.value.text)) continue;
+            std::vector<std::string> others;
+            const std::string folder = swap.name.substr(0, swap.name.rfind('/') + 1);
+            for (const std::string& each : namesIn(sources, true))
+                if (startsWith(each, folder) && serves(each)) others.push_back(each);
+            errors.push_back({Code::module_missing,
+                              "'" + swap.value.text + "' makes nothing of what '" + swap.name +
+                                  "' makes, whose place it would take",
+                              suggestName(swap.value.text, others, "modules that can"),
+                              swap.value.place});
+        }
+    }
+
+    // Reports one clash, that of the files read last: those before are often what they extend.
+    void checkClashes()
+    {
+        for (std::size_t later = files.size(); later-- > 1;)
+            for (std::size_t first = later; first-- > 0;) {
+                // A file is read after all that it extends.
+                if (files[later].extended.count(files[first].identity) > 0) continue;
+                const auto made = madeByBoth(files[first].body, files[later].body);
+                if (!made) continue;
+                errors.push_back(
+                    {Code::module_clash,
+                     "'" + files[later].name + "' and '" + files[first].name + "' both make " +
+                         *made + ", and neither extends the other",
+                     "keep one of the two in 'extends'; one that replaces the other is named last",
+                     files[later].place,
+                     files[later].pointer,
+                     {{files[first].place, "the other one was asked for here"}}});
+                return;
+            }
+    }
+
+    bool mayOpen(const LoadedFile& file)
+    {
+        std::string chain;
+        for (const LoadedFile& opened : open_)
+            if (!chain.empty() || opened.identity == file.identity) chain += opened.name + " -> ";
+        if (!chain.empty())
+            errors.push_back({Code::module_cycle,
+                              "'extends' leads back to itself: " + chain + file.name,
+                              "take this entry out of 'extends'", file.place, file.pointer});
+        else if (open_.size() > kMaxExtendsDepth)
             errors.push_back(
-                {Code::module_clash,
-                 "'" + files[later].name + "' and '" + files[first].name + "' both make " + *made +
-                     ", and neither extends the other",
-                 "keep one of the two in 'extends'; one that replaces the other is named last",
-                 files[later].place,
-                 files[later].pointer,
-                 {{files[first].place, "the other one was asked for here"}}});
-            return;
-        }
-}
+                {Code::module_depth,
+                 "found 'extends' more than " + std::to_string(kMaxExtendsDepth) + " deep",
+                 "let the config name what it needs in one list", file.place, file.pointer});
+        else
+            return true;
+        return false;
+    }
 
-bool FileLoader::mayOpen(const LoadedFile& file)
-{
-    std::string chain;
-    for (const LoadedFile& opened : open_)
-        if (!chain.empty() || opened.identity == file.identity) chain += opened.name + " -> ";
-    if (!chain.empty())
-        errors.push_back({Code::module_cycle,
-                          "'extends' leads back to itself: " + chain + file.name,
-                          "take this entry out of 'extends'", file.place, file.pointer});
-    else if (open_.size() > kMaxExtendsDepth)
-        errors.push_back({Code::module_depth,
-                          "found 'extends' more than " + std::to_string(kMaxExtendsDepth) + " deep",
-                          "let the config name what it needs in one list", file.place,
-                          file.pointer});
-    else
+    // Whether no more files are read. The first that is one too many is reported.
+    bool isFull(const LoadedFile& file)
+    {
+        const int most = request_.limits.files;
+        if (static_cast<int>(files.size() + open_.size()) < most) return false;
+        if (!full_)
+            errors.push_back({Code::over_limit,
+                              "the config extends more than " + std::to_string(most) + " files",
+                              "merge some into one, or raise Limits::files (--limit files=N)",
+                              file.place, file.pointer});
+        full_ = true;
         return true;
-    return false;
-}
+    }
 
-// Whether no more files are read. The first that is one too many is reported.
-bool FileLoader::isFull(const LoadedFile& file)
-{
-    const int most = request_.limits.files;
-    if (static_cast<int>(files.size() + open_.size()) < most) return false;
-    if (!full_)
-        errors.push_back({Code::over_limit,
-                          "the config extends more than " + std::to_string(most) + " files",
-                          "merge some into one, or raise Limits::files (--limit files=N)",
-                          file.place, file.pointer});
-    full_ = true;
-    return true;
-}
-
-Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string& pointer) const
-{
-    const SourceText& from = *entry.place.source;
-    const std::string& name = entry.text;
-    Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'", "",
-                       entry.place, pointer};
-    if (!isOnDisk(name)) {
-        const std::string path = name + std::string(kSuffix);
-        if (SourceRef source = sources.find(path)) return source;
-        if (SourceRef source = sources.find(std::string(kConfigs) + path)) return source;
-        missing.help = suggestName(name, namesIn(sources, true), "modules and configs");
-        const std::string own = "./" + withSuffix(name);
-        const std::string file = resolvePath(locationOf(from), own);
-        if (const auto there = openNamed(from, file); from.path.empty() && there && *there)
-            missing.help = "write '" + own + "': the path to a file begins with './'";
+    Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const
+    {
+        const SourceText& from = *entry.place.source;
+        const std::string& name = entry.text;
+        Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'", "",
+                           entry.place, pointer};
+        if (!isOnDisk(name)) {
+            const std::string path = name + std::string(kSuffix);
+            if (SourceRef source = sources.find(path)) return source;
+            if (SourceRef source = sources.find(std::string(kConfigs) + path)) return source;
+            missing.help = suggestName(name, namesIn(sources, true), "modules and configs");
+            const std::string own = "./" + withSuffix(name);
+            const std::string file = resolvePath(locationOf(from), own);
+            if (const auto there = openNamed(from, file); from.path.empty() && there && *there)
+                missing.help = "write '" + own + "': the path to a file begins with './'";
+            return missing;
+        }
+        const bool shipped = !from.path.empty() && !isRelative(from.path);
+        const std::string path = resolvePath(locationOf(from), name);
+        if (path.empty())
+            return Diagnostic{Code::module_escape,
+                              "the path '" + name + "' leads out of the modules",
+                              "name a module, such as 'ssao/hemisphere'", entry.place, pointer};
+        Result<SourceRef> found =
+            shipped ? Result<SourceRef>(sources.find(path)) : openNamed(from, path);
+        if (!found) {
+            Diagnostic refused = found.diagnostics().front();
+            refused.place = entry.place;
+            refused.pointer = pointer;
+            return refused;
+        }
+        if (*found) return found;
+        missing.message = shipped ? "there is no module '" + path + "'"
+                                  : "the file '" + path + "' " + absenceOf(path);
+        if (!shipped)
+            missing.help =
+                suggestName(withSuffix(name), filesBeside(path, name, kSuffix), "files there") +
+                "; ";
+        missing.help +=
+            "the path is seen from the folder of '" + from.name + "', and ends in .json";
         return missing;
     }
-    const bool shipped = !from.path.empty() && !isRelative(from.path);
-    const std::string path = resolvePath(locationOf(from), name);
-    if (path.empty())
-        return Diagnostic{Code::module_escape, "the path '" + name + "' leads out of the modules",
-                          "name a module, such as 'ssao/hemisphere'", entry.place, pointer};
-    Result<SourceRef> found =
-        shipped ? Result<SourceRef>(sources.find(path)) : openNamed(from, path);
-    if (!found) {
-        Diagnostic refused = found.diagnostics().front();
-        refused.place = entry.place;
-        refused.pointer = pointer;
-        return refused;
+
+    void loadEntry(const Node& entry, const std::string& pointer)
+    {
+        if (errors.size() >= kMaxDiagnostics) return;
+        const Result<SourceRef> found = findExtended(entry, pointer);
+        if (!found) return append(errors, found.diagnostics());
+        load(*found, entry.place, pointer);
+        const LoadedFile* theirs = find(identityOf(**found));
+        if (!theirs || open_.empty()) return;
+        std::set<std::string>& mine = open_.back().extended;
+        mine.insert(theirs->identity);
+        mine.insert(theirs->extended.begin(), theirs->extended.end());
     }
-    if (*found) return found;
-    missing.message = shipped ? "there is no module '" + path + "'"
-                              : "the file '" + path + "' " + absenceOf(path);
-    if (!shipped)
-        missing.help =
-            suggestName(withSuffix(name), filesBeside(path, name, kSuffix), "files there") + "; ";
-    missing.help += "the path is seen from the folder of '" + from.name + "', and ends in .json";
-    return missing;
-}
 
-void FileLoader::loadEntry(const Node& entry, const std::string& pointer)
-{
-    if (errors.size() >= kMaxDiagnostics) return;
-    const Result<SourceRef> found = findExtended(entry, pointer);
-    if (!found) return append(errors, found.diagnostics());
-    load(*found, entry.place, pointer);
-    const LoadedFile* theirs = find(identityOf(**found));
-    if (!theirs || open_.empty()) return;
-    std::set<std::string>& mine = open_.back().extended;
-    mine.insert(theirs->identity);
-    mine.insert(theirs->extended.begin(), theirs->extended.end());
-}
+    void checkFormat(const Node& document)
+    {
+        const Node* format = document.find("format");
+        if (format && format->integer() && format->number == 1) return;
+        errors.push_back({Code::format_version,
+                          "found " + (format ? "format " + brief(*format) : "no 'format'") +
+                              " where 1 was wanted",
+                          format ? "write \"format\": 1, or update crevice to read a later one"
+                                 : "begin the file with \"format\": 1",
+                          format ? format->place : document.place, "/format"});
+    }
 
-void FileLoader::checkFormat(const Node& document)
-{
-    const Node* format = document.find("format");
-    if (format && format->integer() && format->number == 1) return;
-    errors.push_back(
-        {Code::format_version,
-         "found " + (format ? "format " + brief(*format) : "no 'format'") + " where 1 was wanted",
-         format ? "write \"format\": 1, or update crevice to read a later one"
-                : "begin the file with \"format\": 1",
-         format ? format->place : document.place, "/format"});
-}
+    // The strings of a list: `extends`, `needs` or `replaces`.
+    std::vector<Node> takeNames(Node& document, const char* key)
+    {
+        const std::optional<Node> taken = takeMember(document, key);
+        if (!taken) return {};
+        const std::string pointer = memberPointer("", key);
+        if (taken->kind != Node::Kind::array)
+            errors.push_back(wrongType(*taken, "a list of names", pointer,
+                                       "write it in brackets: [\"name\", ...]"));
+        for (std::size_t i = 0; i < taken->items.size(); ++i)
+            if (taken->items[i].kind != Node::Kind::string)
+                errors.push_back(wrongType(taken->items[i], "a name",
+                                           pointer + "/" + std::to_string(i),
+                                           "write a name in double quotes"));
+        return taken->items;
+    }
 
-// The strings of a list: `extends`, `needs` or `replaces`.
-std::vector<Node> FileLoader::takeNames(Node& document, const char* key)
-{
-    const std::optional<Node> taken = takeMember(document, key);
-    if (!taken) return {};
-    const std::string pointer = memberPointer("", key);
-    if (taken->kind != Node::Kind::array)
-        errors.push_back(
-            wrongType(*taken, "a list of names", pointer, "write it in brackets: [\"name\", ...]"));
-    for (std::size_t i = 0; i < taken->items.size(); ++i)
-        if (taken->items[i].kind != Node::Kind::string)
-            errors.push_back(wrongType(taken->items[i], "a name", pointer + "/" + std::to_string(i),
-                                       "write a name in double quotes"));
-    return taken->items;
-}
+    std::vector<Member> takeVariants(Node& document)
+    {
+        std::optional<Node> taken = takeMember(document, "variants");
+        if (!taken) return {};
+        if (taken->kind != Node::Kind::object)
+            errors.push_back(wrongType(*taken, "an object of variants", "/variants",
+                                       "write {\"name\": {what to change}, ...}"));
+        for (const Member& variant : taken->members)
+            if (variant.value.kind != Node::Kind::object)
+                errors.push_back(wrongType(variant.value, "an object",
+                                           memberPointer("/variants", variant.key),
+                                           "write what to change, as in the config itself: "
+                                           "{\"params\": ...}"));
+        return std::move(taken->members);
+    }
 
-std::vector<Member> FileLoader::takeVariants(Node& document)
-{
-    std::optional<Node> taken = takeMember(document, "variants");
-    if (!taken) return {};
-    if (taken->kind != Node::Kind::object)
-        errors.push_back(wrongType(*taken, "an object of variants", "/variants",
-                                   "write {\"name\": {what to change}, ...}"));
-    for (const Member& variant : taken->members)
-        if (variant.value.kind != Node::Kind::object)
-            errors.push_back(wrongType(variant.value, "an object",
-                                       memberPointer("/variants", variant.key),
-                                       "write what to change, as in the config itself: "
-                                       "{\"params\": ...}"));
-    return std::move(taken->members);
-}
+    const LoadRequest request_;
+    std::vector<LoadedFile> open_;  // from the config to the file being read
+    int named_ = 0;                 // so many files, the same ones again included
+    bool full_ = false;             // as `limits` say
+    std::vector<Override> swaps_;
+    std::vector<std::string> extends_;  // all that configs name
+};
 
 std::vector<std::string> variantsOf(const std::vector<LoadedFile>& files)
 {

@@ -3,6 +3,7 @@
 #include "core/config/values.h"
 
 #include "core/base/numbers.h"
+#include "core/sampling/generators.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +33,39 @@ bool wholeInt(float value)
 
 Diagnostic dropped(const std::string& what, const Named& old, const std::string& why)
 {
-    return {Code::value_dropped,
-            what + " '" + old.name + "' is no longer what was set at run time: " + why,
-            "set it again, to a value that the config has now",
-            {},
-            {},
-            {},
-            Severity::warning};
+    Diagnostic warning{Code::value_dropped,
+                       what + " '" + old.name + "' is no longer what was set at run time: " + why,
+                       "set it again, to a value that the config has now"};
+    warning.severity = Severity::warning;
+    return warning;
+}
+
+void carryParam(const ParamDesc& old, Description& next, Diagnostics& warnings)
+{
+    const int at = indexOf(next.params, old.name);
+    const bool there = at >= 0 && next.params[at].type == old.type;
+    const Status fits =
+        there ? checkValue(next.params[at], old.value.data(), componentCount(old.type)) : Status{};
+    if (there && fits)
+        next.params[at].value = old.value;
+    else
+        warnings.push_back(dropped(
+            "param", old, there ? fits.diagnostics()[0].message : "the config has none like it"));
+}
+
+void carryFeature(const FeatureDesc& old, Description& next, Diagnostics& warnings)
+{
+    const std::string& word = old.values[old.value];
+    const int at = indexOf(next.features, old.name);
+    const std::vector<std::string> words =
+        at < 0 ? std::vector<std::string>() : next.features[at].values;
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end()) {
+        warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
+        return;
+    }
+    next.features[at].value = static_cast<int>(found - words.begin());
+    applyLevel(next, old.name);
 }
 
 }  // namespace
@@ -82,6 +109,18 @@ Values valuesOf(const Description& description)
     return values;
 }
 
+std::vector<std::string> textureNames(const Description& description)
+{
+    std::vector<std::string> names = namesOf(description.targets);
+    for (const TargetDesc& each : description.targets)
+        if (each.history) names.push_back(historyName(each));
+    for (const GeneratedDesc& each : description.generated)  // one that is broken names none
+        if (each.generator.empty() || generatesTexture(each.generator)) names.push_back(each.name);
+    for (const ImportDesc& each : description.imports)
+        if (each.type == ImportType::texture) names.push_back(each.name);
+    return names;
+}
+
 void applyLevel(Description& description, std::string_view feature)
 {
     const FeatureDesc& setter = *findNamed(description.features, feature);
@@ -110,38 +149,6 @@ Values untouched(const Values& loaded, const Description& now)
         if (!base.features[i].sets.empty()) values.features[i] = loaded.features[i];
     return values;
 }
-
-namespace {
-
-void carryParam(const ParamDesc& old, Description& next, Diagnostics& warnings)
-{
-    const int at = indexOf(next.params, old.name);
-    const bool there = at >= 0 && next.params[at].type == old.type;
-    const Status fits =
-        there ? checkValue(next.params[at], old.value.data(), componentCount(old.type)) : Status{};
-    if (there && fits)
-        next.params[at].value = old.value;
-    else
-        warnings.push_back(dropped(
-            "param", old, there ? fits.diagnostics()[0].message : "the config has none like it"));
-}
-
-void carryFeature(const FeatureDesc& old, Description& next, Diagnostics& warnings)
-{
-    const std::string& word = old.values[old.value];
-    const int at = indexOf(next.features, old.name);
-    const std::vector<std::string> words =
-        at < 0 ? std::vector<std::string>() : next.features[at].values;
-    const auto found = std::find(words.begin(), words.end(), word);
-    if (found == words.end()) {
-        warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
-        return;
-    }
-    next.features[at].value = static_cast<int>(found - words.begin());
-    applyLevel(next, old.name);
-}
-
-}  // namespace
 
 Diagnostics carryOver(const Values& loaded, const Description& now, Description& next)
 {

@@ -20,6 +20,9 @@ bool isAll(const std::array<float, 4>& values, ParamType type, float value);
 
 Values valuesOf(const Description& description);
 
+/// What a sampler may read: targets, histories, generated textures and those of the host.
+std::vector<std::string> textureNames(const Description& description);
+
 /// Gives params and features the values that the present word of a feature sets, if it sets any.
 void applyLevel(Description& description, std::string_view feature);
 

@@ -43,25 +43,32 @@ public:
     {
     }
 
-    void readFile(const std::string& path);
+    void readFile(const std::string& path)
+    {
+        const SourceRef& source = files_.at(path);
+        const std::size_t outer_branches = branches_.size();
+        open_.push_back(int(paths_.size()));
+        paths_.push_back(path);
+        seen_.insert(path);
+        unit_.files.push_back(source);
+        if (file() > 0) writeLine(1);
+
+        BlankedText blanked = blankComments(source->text);
+        if (blanked.open_line > 0)
+            fail(Code::preprocessor, "a comment begins here and does not end",
+                 {source, blanked.open_line, 1, 1}, "add '*/'");
+        unit_.blanked.push_back(std::move(blanked.text));
+        for (const GlslLine& line : glslLines(unit_.blanked.back(), file()))
+            if (!stopped_) readLine(line);
+
+        for (; branches_.size() > outer_branches; branches_.pop_back())
+            if (!stopped_)
+                fail("this #" + std::string(branches_.back().opened.text) + " has no #endif",
+                     branches_.back().opened, "add '#endif' where what depends on it ends");
+        open_.pop_back();
+    }
 
 private:
-    void readLine(const GlslLine& line);
-    void readFirstLine(const GlslLine& line);
-    void readDirective(const GlslLine& line);
-    bool readBranch(const GlslLine& line);
-    void openBranch(const GlslLine& line);
-    void turnBranch(const GlslLine& line);
-    void readDefine(const GlslLine& line);
-    void readIncludeLine(const GlslLine& line);
-    void writeLine(int line);
-    bool resolve(const GlslInclude& include, std::string& path);
-    bool inRing(const GlslInclude& include, const std::string& path);
-    bool condition(const GlslLine& line);
-    void blameCondition(const GlslLine& line, const GlslTokens& condition);
-    const GlslToken* onlyName(const GlslLine& line);
-    void spentSteps(const GlslToken& token);
-
     void mention(const GlslToken& token)
     {
         if (token.kind == GlslToken::Kind::identifier) unit_.mentioned.insert(token.text);
@@ -81,6 +88,220 @@ private:
         fail(Code::preprocessor, std::move(message), placeOf(token, unit_.files), std::move(help));
     }
 
+    void readLine(const GlslLine& line)
+    {
+        if (unit_.version.empty()) return readFirstLine(line);
+        if (line.isDirective()) return readDirective(line);
+        unit_.text += line.text;
+        for (const GlslToken& token : line.tokens) {
+            mention(token);
+            if (active() && !stopped_ && !unit_.macros.expand(token, unit_.tokens))
+                spentSteps(token);
+        }
+    }
+
+    /// Drops comments above #version, which must be the first line that the driver sees.
+    void readFirstLine(const GlslLine& line)
+    {
+        if (line.tokens.empty()) return;
+        const GlslTokens& tokens = line.tokens;
+        const bool version = line.isDirective() && line.directive() == "version";
+        const bool known = version && tokens.size() == 4 && tokens[3].is("es") &&
+                           (tokens[2].is("300") || tokens[2].is("310"));
+        if (!known) {
+            const std::string_view shown = utf8Prefix(line.text, line.text.find('\n'));
+            fail("the text begins with '" + std::string(utf8Prefix(shown, kShownBytes)) +
+                     "', wanted '#version 300 es' or '#version 310 es'",
+                 tokens[0], kVersionHelp);
+            stopped_ = true;
+            return;
+        }
+        unit_.version = std::string(tokens[2].text) + " es";
+        writeLine(line.line + line.count);
+        unit_.macros.define("__VERSION__", {tokens[2]});
+    }
+
+    void readDirective(const GlslLine& line)
+    {
+        if (line.directive() == "include") return readIncludeLine(line);
+        unit_.text += line.text;
+        for (const GlslToken& token : line.tokens) mention(token);
+        if (readBranch(line) || !active()) return;
+        if (line.directive() == "define") readDefine(line);
+        if (line.directive() != "undef") return;
+        if (const GlslToken* name = onlyName(line)) unit_.macros.undefine(name->text);
+    }
+
+    /// True when the line is one of the directives of an #if.
+    bool readBranch(const GlslLine& line)
+    {
+        const std::string_view name = line.directive();
+        if (name == "if" || name == "ifdef" || name == "ifndef") {
+            openBranch(line);
+            return true;
+        }
+        if (name != "elif" && name != "else" && name != "endif") return false;
+        if (branches_.empty() || branches_.back().opened.file != file())
+            fail("#" + std::string(name) + " without an #if in this file", line.tokens[1]);
+        else if (name == "endif")
+            branches_.pop_back();
+        else
+            turnBranch(line);
+        return true;
+    }
+
+    void openBranch(const GlslLine& line)
+    {
+        Branch branch;
+        branch.opened = line.tokens[1];
+        branch.outer = active();
+        if (branch.outer && line.directive() == "if")
+            branch.active = condition(line);
+        else if (const GlslToken* name = branch.outer ? onlyName(line) : nullptr)
+            branch.active = unit_.macros.defined(name->text) == (line.directive() == "ifdef");
+        branch.taken = branch.active;
+        branches_.push_back(branch);
+    }
+
+    void turnBranch(const GlslLine& line)
+    {
+        Branch& branch = branches_.back();
+        const bool last = line.directive() == "else";
+        if (branch.in_else)
+            fail("#" + std::string(line.directive()) + " after #else", line.tokens[1]);
+        const bool open = branch.outer && !branch.taken && !branch.in_else;
+        branch.active = open && (last || condition(line));
+        branch.taken = branch.taken || branch.active;
+        branch.in_else = branch.in_else || last;
+    }
+
+    bool condition(const GlslLine& line)
+    {
+        const GlslToken* end = line.tokens.data() + line.tokens.size();
+        GlslTokens expanded;
+        if (!unit_.macros.expandCondition(line.tokens.data() + 2, end, expanded)) {
+            spentSteps(line.tokens[1]);
+            return false;
+        }
+        const auto value = evaluate(expanded.data(), expanded.data() + expanded.size());
+        if (!value) blameCondition(line, expanded);
+        return value.value_or(0) != 0;
+    }
+
+    /// Says what is wrong with a condition: a name without a #define, which C takes for 0 and GLSL
+    /// ES refuses, is reported once for the whole stage.
+    void blameCondition(const GlslLine& line, const GlslTokens& condition)
+    {
+        for (const GlslToken& token : condition) {
+            if (token.kind != GlslToken::Kind::identifier || unit_.macros.defined(token.text))
+                continue;
+            if (undefined_.emplace(token.text).second)
+                fail("a condition has '" + std::string(token.text) + "', which is not defined",
+                     token,
+                     suggestName(token.text, unit_.macros.names(), "defined") +
+                         "; features, traits and params with bind 'define' are, in upper case");
+            return;
+        }
+        fail("the condition of #" + std::string(line.directive()) + " cannot be read",
+             line.tokens[line.tokens.size() > 2 ? 2 : 1], kConditionHelp);
+    }
+
+    /// The name after #ifdef, #ifndef or #undef; null, with an error, where there is not just one.
+    const GlslToken* onlyName(const GlslLine& line)
+    {
+        if (line.tokens.size() == 3 && line.tokens[2].kind == GlslToken::Kind::identifier)
+            return &line.tokens[2];
+        fail("#" + std::string(line.directive()) + " wants one name", line.tokens[1]);
+        return nullptr;
+    }
+
+    void readDefine(const GlslLine& line)
+    {
+        const GlslTokens& tokens = line.tokens;
+        if (tokens.size() < 3 || tokens[2].kind != GlslToken::Kind::identifier)
+            return fail("#define wants a name", tokens[1]);
+        const GlslToken& name = tokens[2];
+        const bool arguments = tokens.size() > 3 && tokens[3].is("(") &&
+                               tokens[3].line == name.line &&
+                               tokens[3].column == name.column + int(name.text.size());
+        unit_.macros.define(name.text, {tokens.begin() + 3, tokens.end()}, arguments);
+    }
+
+    /// The line itself never reaches the driver: blank lines, or the file, stand in for it.
+    void readIncludeLine(const GlslLine& line)
+    {
+        GlslInclude include;
+        std::string path;
+        const bool wanted = active();
+        const bool read = readInclude(line, unit_.files[std::size_t(file())], include);
+        if (wanted && !read) fail("this #include cannot be read", line.tokens[1], kIncludeHelp);
+        if (!wanted || !read || !resolve(include, path) || inRing(include, path) ||
+            seen_.count(path)) {
+            unit_.text.append(std::size_t(line.count), '\n');
+            return;
+        }
+        if (open_.size() == kMaxIncludeDepth) {
+            stopped_ = true;
+            return fail(Code::include_cycle,
+                        "found #include more than " + std::to_string(kMaxIncludeDepth) + " deep",
+                        include.place, "let the shader include what it needs itself");
+        }
+        readFile(path);
+        writeLine(line.line + line.count);
+    }
+
+    /// Says that what follows is that line of the file being read.
+    void writeLine(int line)
+    {
+        unit_.text += "#line " + std::to_string(file() * kLinesPerFile + line) + " " +
+                      std::to_string(file()) + "\n";
+    }
+
+    /// Finds the path of an include among the files. False, with an error, when there is none.
+    bool resolve(const GlslInclude& include, std::string& path)
+    {
+        const auto interface = interfaces_.find(include.name);
+        if (!include.interface)
+            path = resolvePath(paths_[std::size_t(file())], include.name);
+        else if (interface != interfaces_.end())
+            path = interface->second;
+        if (files_.count(path)) return true;
+        std::vector<std::string> names;
+        if (include.interface)
+            for (const auto& entry : interfaces_) names.push_back(entry.first);
+        else
+            for (const auto& entry : files_) names.push_back(entry.first);
+        fail(Code::include_missing,
+             include.interface ? "no module of the config provides the interface '" + include.name +
+                                     "'"
+                               : "#include names '" + include.name + "', which does not exist",
+             include.place,
+             suggestName(include.name, std::move(names),
+                         include.interface ? "interfaces" : "files"));
+        return false;
+    }
+
+    /// True, with an error, when the file is being read already.
+    bool inRing(const GlslInclude& include, const std::string& path)
+    {
+        const auto first = std::find_if(open_.begin(), open_.end(), [&](int number) {
+            return paths_[std::size_t(number)] == path;
+        });
+        if (first == open_.end()) return false;
+        std::string chain;
+        for (auto at = first; at != open_.end(); ++at) chain += paths_[std::size_t(*at)] + " -> ";
+        fail(Code::include_cycle, "an #include leads back to itself: " + chain + path,
+             include.place, "move what both need into a third file");
+        return true;
+    }
+
+    void spentSteps(const GlslToken& token)
+    {
+        stopped_ = true;
+        fail("macros expand without end", token,
+             "shorten the chain of #defines that this one begins");
+    }
+
     const std::map<std::string, SourceRef>& files_;
     const std::map<std::string, std::string>& interfaces_;
     GlslUnit& unit_;
@@ -91,236 +312,6 @@ private:
     std::set<std::string, std::less<>> undefined_;
     bool stopped_ = false;  ///< Nothing more can be said about this text.
 };
-
-void Preprocessor::readFile(const std::string& path)
-{
-    const SourceRef& source = files_.at(path);
-    const std::size_t outer_branches = branches_.size();
-    open_.push_back(int(paths_.size()));
-    paths_.push_back(path);
-    seen_.insert(path);
-    unit_.files.push_back(source);
-    if (file() > 0) writeLine(1);
-
-    BlankedText blanked = blankComments(source->text);
-    if (blanked.open_line > 0)
-        fail(Code::preprocessor, "a comment begins here and does not end",
-             {source, blanked.open_line, 1, 1}, "add '*/'");
-    unit_.blanked.push_back(std::move(blanked.text));
-    for (const GlslLine& line : glslLines(unit_.blanked.back(), file()))
-        if (!stopped_) readLine(line);
-
-    for (; branches_.size() > outer_branches; branches_.pop_back())
-        if (!stopped_)
-            fail("this #" + std::string(branches_.back().opened.text) + " has no #endif",
-                 branches_.back().opened, "add '#endif' where what depends on it ends");
-    open_.pop_back();
-}
-
-void Preprocessor::readLine(const GlslLine& line)
-{
-    if (unit_.version.empty()) return readFirstLine(line);
-    if (line.isDirective()) return readDirective(line);
-    unit_.text += line.text;
-    for (const GlslToken& token : line.tokens) {
-        mention(token);
-        if (active() && !stopped_ && !unit_.macros.expand(token, unit_.tokens)) spentSteps(token);
-    }
-}
-
-/// Drops comments above #version, which must be the first line that the driver sees.
-void Preprocessor::readFirstLine(const GlslLine& line)
-{
-    if (line.tokens.empty()) return;
-    const GlslTokens& tokens = line.tokens;
-    const bool version = line.isDirective() && line.directive() == "version";
-    const bool known = version && tokens.size() == 4 && tokens[3].is("es") &&
-                       (tokens[2].is("300") || tokens[2].is("310"));
-    if (!known) {
-        const std::string_view shown = utf8Prefix(line.text, line.text.find('\n'));
-        fail("the text begins with '" + std::string(utf8Prefix(shown, kShownBytes)) +
-                 "', wanted '#version 300 es' or '#version 310 es'",
-             tokens[0], kVersionHelp);
-        stopped_ = true;
-        return;
-    }
-    unit_.version = std::string(tokens[2].text) + " es";
-    writeLine(line.line + line.count);
-    unit_.macros.define("__VERSION__", {tokens[2]});
-}
-
-void Preprocessor::readDirective(const GlslLine& line)
-{
-    if (line.directive() == "include") return readIncludeLine(line);
-    unit_.text += line.text;
-    for (const GlslToken& token : line.tokens) mention(token);
-    if (readBranch(line) || !active()) return;
-    if (line.directive() == "define") readDefine(line);
-    if (line.directive() != "undef") return;
-    if (const GlslToken* name = onlyName(line)) unit_.macros.undefine(name->text);
-}
-
-/// True when the line is one of the directives of an #if.
-bool Preprocessor::readBranch(const GlslLine& line)
-{
-    const std::string_view name = line.directive();
-    if (name == "if" || name == "ifdef" || name == "ifndef") {
-        openBranch(line);
-        return true;
-    }
-    if (name != "elif" && name != "else" && name != "endif") return false;
-    if (branches_.empty() || branches_.back().opened.file != file())
-        fail("#" + std::string(name) + " without an #if in this file", line.tokens[1]);
-    else if (name == "endif")
-        branches_.pop_back();
-    else
-        turnBranch(line);
-    return true;
-}
-
-void Preprocessor::openBranch(const GlslLine& line)
-{
-    Branch branch;
-    branch.opened = line.tokens[1];
-    branch.outer = active();
-    if (branch.outer && line.directive() == "if")
-        branch.active = condition(line);
-    else if (const GlslToken* name = branch.outer ? onlyName(line) : nullptr)
-        branch.active = unit_.macros.defined(name->text) == (line.directive() == "ifdef");
-    branch.taken = branch.active;
-    branches_.push_back(branch);
-}
-
-void Preprocessor::turnBranch(const GlslLine& line)
-{
-    Branch& branch = branches_.back();
-    const bool last = line.directive() == "else";
-    if (branch.in_else) fail("#" + std::string(line.directive()) + " after #else", line.tokens[1]);
-    const bool open = branch.outer && !branch.taken && !branch.in_else;
-    branch.active = open && (last || condition(line));
-    branch.taken = branch.taken || branch.active;
-    branch.in_else = branch.in_else || last;
-}
-
-bool Preprocessor::condition(const GlslLine& line)
-{
-    const GlslToken* end = line.tokens.data() + line.tokens.size();
-    GlslTokens expanded;
-    if (!unit_.macros.expandCondition(line.tokens.data() + 2, end, expanded)) {
-        spentSteps(line.tokens[1]);
-        return false;
-    }
-    const auto value = evaluate(expanded.data(), expanded.data() + expanded.size());
-    if (!value) blameCondition(line, expanded);
-    return value.value_or(0) != 0;
-}
-
-/// Says what is wrong with a condition: a name without a #define, which C takes for 0 and GLSL ES
-/// refuses, is reported once for the whole stage.
-void Preprocessor::blameCondition(const GlslLine& line, const GlslTokens& condition)
-{
-    for (const GlslToken& token : condition) {
-        if (token.kind != GlslToken::Kind::identifier || unit_.macros.defined(token.text)) continue;
-        if (undefined_.emplace(token.text).second)
-            fail("a condition has '" + std::string(token.text) + "', which is not defined", token,
-                 suggestName(token.text, unit_.macros.names(), "defined") +
-                     "; features, traits and params with bind 'define' are, in upper case");
-        return;
-    }
-    fail("the condition of #" + std::string(line.directive()) + " cannot be read",
-         line.tokens[line.tokens.size() > 2 ? 2 : 1], kConditionHelp);
-}
-
-/// The name after #ifdef, #ifndef or #undef; null, with an error, where there is not just one.
-const GlslToken* Preprocessor::onlyName(const GlslLine& line)
-{
-    if (line.tokens.size() == 3 && line.tokens[2].kind == GlslToken::Kind::identifier)
-        return &line.tokens[2];
-    fail("#" + std::string(line.directive()) + " wants one name", line.tokens[1]);
-    return nullptr;
-}
-
-void Preprocessor::readDefine(const GlslLine& line)
-{
-    const GlslTokens& tokens = line.tokens;
-    if (tokens.size() < 3 || tokens[2].kind != GlslToken::Kind::identifier)
-        return fail("#define wants a name", tokens[1]);
-    const GlslToken& name = tokens[2];
-    const bool arguments = tokens.size() > 3 && tokens[3].is("(") && tokens[3].line == name.line &&
-                           tokens[3].column == name.column + int(name.text.size());
-    unit_.macros.define(name.text, {tokens.begin() + 3, tokens.end()}, arguments);
-}
-
-/// The line itself never reaches the driver: blank lines, or the file, stand in for it.
-void Preprocessor::readIncludeLine(const GlslLine& line)
-{
-    GlslInclude include;
-    std::string path;
-    const bool wanted = active();
-    const bool read = readInclude(line, unit_.files[std::size_t(file())], include);
-    if (wanted && !read) fail("this #include cannot be read", line.tokens[1], kIncludeHelp);
-    if (!wanted || !read || !resolve(include, path) || inRing(include, path) || seen_.count(path)) {
-        unit_.text.append(std::size_t(line.count), '\n');
-        return;
-    }
-    if (open_.size() == kMaxIncludeDepth) {
-        stopped_ = true;
-        return fail(Code::include_cycle,
-                    "found #include more than " + std::to_string(kMaxIncludeDepth) + " deep",
-                    include.place, "let the shader include what it needs itself");
-    }
-    readFile(path);
-    writeLine(line.line + line.count);
-}
-
-/// Says that what follows is that line of the file being read.
-void Preprocessor::writeLine(int line)
-{
-    unit_.text += "#line " + std::to_string(file() * kLinesPerFile + line) + " " +
-                  std::to_string(file()) + "\n";
-}
-
-/// Finds the path of an include among the files. False, with an error, when there is none.
-bool Preprocessor::resolve(const GlslInclude& include, std::string& path)
-{
-    const auto interface = interfaces_.find(include.name);
-    if (!include.interface)
-        path = resolvePath(paths_[std::size_t(file())], include.name);
-    else if (interface != interfaces_.end())
-        path = interface->second;
-    if (files_.count(path)) return true;
-    std::vector<std::string> names;
-    if (include.interface)
-        for (const auto& entry : interfaces_) names.push_back(entry.first);
-    else
-        for (const auto& entry : files_) names.push_back(entry.first);
-    fail(Code::include_missing,
-         include.interface ? "no module of the config provides the interface '" + include.name + "'"
-                           : "#include names '" + include.name + "', which does not exist",
-         include.place,
-         suggestName(include.name, std::move(names), include.interface ? "interfaces" : "files"));
-    return false;
-}
-
-/// True, with an error, when the file is being read already.
-bool Preprocessor::inRing(const GlslInclude& include, const std::string& path)
-{
-    const auto first = std::find_if(open_.begin(), open_.end(), [&](int number) {
-        return paths_[std::size_t(number)] == path;
-    });
-    if (first == open_.end()) return false;
-    std::string chain;
-    for (auto at = first; at != open_.end(); ++at) chain += paths_[std::size_t(*at)] + " -> ";
-    fail(Code::include_cycle, "an #include leads back to itself: " + chain + path, include.place,
-         "move what both need into a third file");
-    return true;
-}
-
-void Preprocessor::spentSteps(const GlslToken& token)
-{
-    stopped_ = true;
-    fail("macros expand without end", token, "shorten the chain of #defines that this one begins");
-}
 
 }  // namespace
 

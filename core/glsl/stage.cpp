@@ -78,17 +78,120 @@ public:
 private:
     bool here(std::string_view text) const { return at_ != end_ && at_->is(text); }
 
-    Qualifiers readQualifiers();
-    void readLayout(Qualifiers& qualifiers);
-    void readDeclaration(const Qualifiers& qualifiers);
-    void readArray(GlslUniform& variable);
-    const GlslToken* closing(std::string_view open, std::string_view close) const;
-    void skipStatement();
-
     void fail(std::string message, const GlslToken& token, std::string help)
     {
         unit_.errors.push_back(
             {Code::preprocessor, std::move(message), std::move(help), placeOf(token, unit_.files)});
+    }
+
+    Qualifiers readQualifiers()
+    {
+        Qualifiers qualifiers;
+        for (; at_ != end_; ++at_) {
+            if (at_->is("layout"))
+                readLayout(qualifiers);
+            else if (!isQualifier(at_->text))
+                break;
+            else if (at_->is("uniform"))
+                qualifiers.uniform = true;
+            else if (at_->is("out"))
+                qualifiers.output = true;
+            if (at_ == end_) break;
+        }
+        return qualifiers;
+    }
+
+    /// Leaves the cursor at the closing parenthesis.
+    void readLayout(Qualifiers& qualifiers)
+    {
+        ++at_;
+        const GlslToken* close = closing("(", ")");
+        for (; at_ != close; ++at_) {
+            if (!at_->is("location") || close - at_ < 3 || !at_[1].is("=")) continue;
+            const GlslToken* value = at_ + 2;
+            const GlslToken* last = value;
+            while (last != close && !last->is(",")) ++last;
+            const auto location = evaluate(value, last);
+            const bool known = location && *location >= 0 && *location < kMaxArray;
+            if (known)
+                qualifiers.location = int(*location);
+            else
+                fail("this location cannot be read, wanted a whole number", *value,
+                     "write 0, 1, ...");
+        }
+    }
+
+    /// Reads `type name, name[4], ...` up to the semicolon.
+    void readDeclaration(const Qualifiers& qualifiers)
+    {
+        if (at_ == end_ || at_->kind != GlslToken::Kind::identifier) return;
+        const GlslToken& type = *at_++;
+        const bool block = here("{") || type.is("struct");
+        if (block && qualifiers.uniform)
+            stage_.blocks.push_back(
+                {std::string(type.text), GlslType::other, 1, false, placeOf(type, unit_.files)});
+        if (block) return;
+
+        GlslUniform common;
+        common.type = glslTypeFromName(type.text);
+        readArray(common);
+        while (at_ != end_ && at_->kind == GlslToken::Kind::identifier) {
+            if (stage_.uniforms.size() + stage_.outputs.size() == kMaxDeclared) {
+                fail("found more than " + std::to_string(kMaxDeclared) + " uniforms and outputs",
+                     *at_, "make arrays of them; no device has room for so many");
+                at_ = end_;
+                return;
+            }
+            GlslUniform variable = common;
+            variable.name = at_->text;
+            variable.place = placeOf(*at_++, unit_.files);
+            readArray(variable);
+            const int next = int(stage_.outputs.size());
+            const int location = qualifiers.location < 0 ? next : qualifiers.location;
+            if (qualifiers.uniform)
+                stage_.uniforms.push_back(std::move(variable));
+            else
+                stage_.outputs.push_back({std::move(variable.name), location, variable.place});
+            if (!here(",")) return;
+            ++at_;
+        }
+    }
+
+    void readArray(GlslUniform& variable)
+    {
+        if (!here("[")) return;
+        const GlslToken& open = *at_;
+        const GlslToken* close = closing("[", "]");
+        const auto count = evaluate(at_ + 1, close);
+        variable.array = true;
+        if (count && *count > 0 && *count <= kMaxArray)
+            variable.count = int(*count);
+        else
+            fail("the array size of '" + variable.name + "'" +
+                     (close == at_ + 2 ? ", '" + std::string(at_[1].text) + "'," : "") +
+                     " cannot be read, wanted a whole number of at least 1",
+                 open,
+                 "an array size has numbers and #defines only: a param with bind 'define' is one");
+        at_ = close == end_ ? end_ : close + 1;
+    }
+
+    /// The sign that closes the one at the cursor, or the end.
+    const GlslToken* closing(std::string_view open, std::string_view close) const
+    {
+        int depth = 0;
+        for (const GlslToken* token = at_; token != end_; ++token) {
+            if (token->is(open)) ++depth;
+            if (token->is(close) && --depth == 0) return token;
+        }
+        return end_;
+    }
+
+    /// Leaves the cursor behind the next semicolon or the body that comes before it.
+    void skipStatement()
+    {
+        while (at_ != end_ && !here(";") && !here("{")) ++at_;
+        if (here("{")) at_ = closing("{", "}");
+        if (at_ != end_) ++at_;
     }
 
     GlslUnit& unit_;
@@ -96,115 +199,6 @@ private:
     const GlslToken* at_;
     const GlslToken* end_;
 };
-
-Qualifiers Scanner::readQualifiers()
-{
-    Qualifiers qualifiers;
-    for (; at_ != end_; ++at_) {
-        if (at_->is("layout"))
-            readLayout(qualifiers);
-        else if (!isQualifier(at_->text))
-            break;
-        else if (at_->is("uniform"))
-            qualifiers.uniform = true;
-        else if (at_->is("out"))
-            qualifiers.output = true;
-        if (at_ == end_) break;
-    }
-    return qualifiers;
-}
-
-/// Leaves the cursor at the closing parenthesis.
-void Scanner::readLayout(Qualifiers& qualifiers)
-{
-    ++at_;
-    const GlslToken* close = closing("(", ")");
-    for (; at_ != close; ++at_) {
-        if (!at_->is("location") || close - at_ < 3 || !at_[1].is("=")) continue;
-        const GlslToken* value = at_ + 2;
-        const GlslToken* last = value;
-        while (last != close && !last->is(",")) ++last;
-        const auto location = evaluate(value, last);
-        const bool known = location && *location >= 0 && *location < kMaxArray;
-        if (known)
-            qualifiers.location = int(*location);
-        else
-            fail("this location cannot be read, wanted a whole number", *value, "write 0, 1, ...");
-    }
-}
-
-/// Reads `type name, name[4], ...` up to the semicolon.
-void Scanner::readDeclaration(const Qualifiers& qualifiers)
-{
-    if (at_ == end_ || at_->kind != GlslToken::Kind::identifier) return;
-    const GlslToken& type = *at_++;
-    const bool block = here("{") || type.is("struct");
-    if (block && qualifiers.uniform)
-        stage_.blocks.push_back(
-            {std::string(type.text), GlslType::other, 1, false, placeOf(type, unit_.files)});
-    if (block) return;
-
-    GlslUniform common;
-    common.type = glslTypeFromName(type.text);
-    readArray(common);
-    while (at_ != end_ && at_->kind == GlslToken::Kind::identifier) {
-        if (stage_.uniforms.size() + stage_.outputs.size() == kMaxDeclared) {
-            fail("found more than " + std::to_string(kMaxDeclared) + " uniforms and outputs", *at_,
-                 "make arrays of them; no device has room for so many");
-            at_ = end_;
-            return;
-        }
-        GlslUniform variable = common;
-        variable.name = at_->text;
-        variable.place = placeOf(*at_++, unit_.files);
-        readArray(variable);
-        const int next = int(stage_.outputs.size());
-        const int location = qualifiers.location < 0 ? next : qualifiers.location;
-        if (qualifiers.uniform)
-            stage_.uniforms.push_back(std::move(variable));
-        else
-            stage_.outputs.push_back({std::move(variable.name), location, variable.place});
-        if (!here(",")) return;
-        ++at_;
-    }
-}
-
-void Scanner::readArray(GlslUniform& variable)
-{
-    if (!here("[")) return;
-    const GlslToken& open = *at_;
-    const GlslToken* close = closing("[", "]");
-    const auto count = evaluate(at_ + 1, close);
-    variable.array = true;
-    if (count && *count > 0 && *count <= kMaxArray)
-        variable.count = int(*count);
-    else
-        fail("the array size of '" + variable.name + "'" +
-                 (close == at_ + 2 ? ", '" + std::string(at_[1].text) + "'," : "") +
-                 " cannot be read, wanted a whole number of at least 1",
-             open,
-             "an array size has numbers and #defines only: a param with bind 'define' is one");
-    at_ = close == end_ ? end_ : close + 1;
-}
-
-/// The sign that closes the one at the cursor, or the end.
-const GlslToken* Scanner::closing(std::string_view open, std::string_view close) const
-{
-    int depth = 0;
-    for (const GlslToken* token = at_; token != end_; ++token) {
-        if (token->is(open)) ++depth;
-        if (token->is(close) && --depth == 0) return token;
-    }
-    return end_;
-}
-
-/// Leaves the cursor behind the next semicolon or the body that comes before it.
-void Scanner::skipStatement()
-{
-    while (at_ != end_ && !here(";") && !here("{")) ++at_;
-    if (here("{")) at_ = closing("{", "}");
-    if (at_ != end_) ++at_;
-}
 
 // What a line of GLSL that is `layout(...) out type name;` and no more is as a plain variable;
 // nothing of any other.

@@ -51,17 +51,9 @@ Status checkMeshSize(const std::string& label, std::uint64_t vertices, std::uint
 
 std::uint32_t bytesOf(VertexType type, int components)
 {
-    const auto count = static_cast<std::uint32_t>(components);
-    switch (type) {
-    case VertexType::float32: return 4 * count;
-    case VertexType::float16:
-    case VertexType::snorm16:
-    case VertexType::unorm16: return 2 * count;
-    case VertexType::snorm8:
-    case VertexType::unorm8: return count;
-    case VertexType::snorm10: break;
-    }
-    return 4;
+    constexpr std::uint32_t kBytes[] = {4, 2, 1, 1, 2, 2};  // in the order of VertexType
+    if (type == VertexType::snorm10) return 4;              // all in one word
+    return kBytes[static_cast<int>(type)] * static_cast<std::uint32_t>(components);
 }
 
 std::uint32_t bytesOf(IndexType type)

@@ -53,11 +53,8 @@ void DrawWarnings::look(const FrameHistory& two_ago, const FrameHistory& last,
                       "two cameras take turns with the history of '" + plan_.config +
                           "', so that each sees some of the other's occlusion",
                       "make an effect for each camera, or draw them as views of one frame, by "
-                      "Frame::other_views",
-                      {},
-                      {},
-                      {},
-                      Severity::warning});
+                      "Frame::other_views"});
+    found_.back().severity = Severity::warning;
 }
 
 void DrawWarnings::add(const PlanPass& pass, const std::vector<UniformInfo>& active)
@@ -111,8 +108,9 @@ void DrawWarnings::warnOfBlock(const ObjectInfo& mesh)
 Diagnostic& DrawWarnings::warn(Reader& reader, Code code, std::string message, const char* help)
 {
     const PlanProgram& program = plan_.programs[std::exchange(reader, nullptr)->program];
-    return found_.emplace_back(Diagnostic{
-        code, std::move(message), help, program.place, program.pointer, {}, Severity::warning});
+    found_.push_back({code, std::move(message), help, program.place, program.pointer});
+    found_.back().severity = Severity::warning;
+    return found_.back();
 }
 
 }  // namespace crevice

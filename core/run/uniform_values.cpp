@@ -32,18 +32,8 @@ glm::dmat3 rayFromUv(const glm::dmat4& clip_from_view)
 
 std::size_t wordsOf(GlslType type, int count)
 {
-    const std::size_t elements = count;
-    switch (type) {
-    case GlslType::vec2:
-    case GlslType::ivec2: return 2 * elements;
-    case GlslType::vec3:
-    case GlslType::ivec3: return 3 * elements;
-    case GlslType::vec4:
-    case GlslType::ivec4: return 4 * elements;
-    case GlslType::mat3: return 9 * elements;
-    case GlslType::mat4: return 16 * elements;
-    default: return elements;
-    }
+    constexpr std::size_t kWords[] = {1, 2, 3, 4, 1, 2, 3, 4, 1, 1, 9, 16, 1, 1, 1};
+    return kWords[static_cast<int>(type)] * count;  // in the order of GlslType
 }
 
 ValueTable::ValueTable(const Plan& plan) : plan_(plan)
