@@ -246,32 +246,35 @@ private:
     // Bytes of the string here, with its quotes; 0, with an error, where it is broken.
     std::size_t readString(std::string& out)
     {
-        const std::string_view line = text_.substr(at_, text_.find_first_of("\r\n", at_) - at_);
-        std::size_t at = 1;
-        while (at < line.size() && line.substr(at) != "\\") {
-            const char c = line[at];
-            if (c == '"') return at + 1;
+        const auto ends = [this](std::size_t at) {
+            return at >= text_.size() || text_[at] == '\n' || text_[at] == '\r';
+        };
+        std::size_t at = at_ + 1;
+        while (!ends(at) && !(text_[at] == '\\' && ends(at + 1))) {
+            const char c = text_[at];
+            if (c == '"') return at + 1 - at_;
             std::size_t length = static_cast<unsigned char>(c) >= 0x20;
             if (c == '\\')
-                length = appendEscape(out, line.substr(at));
+                length = appendEscape(out, text_.substr(at));
             else
                 out += c;
-            if (length == 0) return refuse(line.substr(at), at_ + at);
+            if (length == 0) return refuse(at);
             at += length;
         }
         stop({Code::syntax, "found a string that does not end on its line",
               "close it with '\"'; a line break in a string is written \\n",
-              placeAt(source_, at_, line.size())});
+              placeAt(source_, at_, at - at_)});
         return 0;
     }
 
     // A byte or an escape that no string has.
-    std::size_t refuse(std::string_view text, std::size_t at)
+    std::size_t refuse(std::size_t at)
     {
+        const std::string_view text = text_.substr(at, 6);
         std::size_t length = 1;
         if (text[0] == '\\') length += std::max<std::size_t>(utf8Length(text, 1), 1);
         if (startsWith(text, "\\u"))
-            while (length < std::min<std::size_t>(6, text.size()) && isWord(text[length])) ++length;
+            while (length < text.size() && isWord(text[length])) ++length;
         stop({Code::syntax, "found " + quotedToken(text.substr(0, length)) + " in a string",
               "a backslash is written \\\\, a quote \\\", a tab \\t, a line break \\n",
               placeAt(source_, at, length)});
@@ -306,7 +309,8 @@ private:
     bool stop(Diagnostic error)
     {
         if (std::exchange(stopped_, true)) return false;
-        error.pointer = pointer(open_.size() - (keyed_ || open_.empty() ? 0 : 1));
+        if (error.code != Code::too_deep)  // whose pointer is as deep
+            error.pointer = pointer(open_.size() - (keyed_ || open_.empty() ? 0 : 1));
         errors_.push_back(std::move(error));
         for (std::size_t i = 0; i < open_.size(); ++i) checkKeys(i);
         return false;
