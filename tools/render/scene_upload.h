@@ -2,6 +2,7 @@
 // A scene on a device: its meshes and textures, and the frames drawn from them.
 #pragma once
 
+#include "core/gpu/owned.h"
 #include "tools/render/scene/scene.h"
 
 namespace crevice {
@@ -15,23 +16,16 @@ public:
     /// Errors: those of the device; nothing is left behind on it.
     static Result<UploadedScene> upload(Device& device, const Scene& scene);
 
-    ~UploadedScene();
-    UploadedScene(UploadedScene&& other) noexcept;
-    UploadedScene& operator=(UploadedScene&& other) noexcept;
-
     const Bounds& bounds() const { return bounds_; }
 
 private:
     friend Frame makeFrame(const UploadedScene&, const SceneCamera&, Extent);
 
-    explicit UploadedScene(Device& device) : device_(&device) {}
-    Status uploadTextures(const Scene& scene);
-    Status uploadMeshes(const Scene& scene);
-    void destroy();
+    Status uploadTextures(Device& device, const Scene& scene);
+    Status uploadMeshes(Device& device, const Scene& scene);
 
-    Device* device_;
-    std::vector<TextureId> textures_;
-    std::vector<MeshId> meshes_;
+    std::vector<Owned<TextureId>> textures_;
+    std::vector<Owned<MeshId>> meshes_;
     Frame frame_;  // all but the camera
     Bounds bounds_;
 };

@@ -1,34 +1,33 @@
 // SPDX-License-Identifier: MIT
-// fork, limits and a pipe.
+// fork, limits and pipes.
 #include "tools/commands/cli/child_process.h"
 
 #include "core/base/files.h"
 #include "core/base/numbers.h"
+#include "tools/commands/cli/long_run.h"
+#include "tools/render/image/image_file.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
+
+extern char** environ;
 
 namespace crevice {
 namespace {
 
 constexpr std::size_t kPipeBuffer = 1 << 16;  // what Linux keeps of a pipe
-
-double now()
-{
-    const auto time = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(time).count();
-}
+constexpr int kSentAll = 64;                  // the exit code of a child that has; no library's own
 
 // A sanitizer needs all of the address space.
 #ifdef __SANITIZE_ADDRESS__
@@ -36,6 +35,25 @@ constexpr bool kSanitized = true;
 #else
 constexpr bool kSanitized = false;
 #endif
+
+/// A file descriptor that closes itself.
+class File {
+public:
+    explicit File(int number) : number_(number) {}
+    ~File() { close(); }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+
+    int number() const { return number_; }
+    void close()
+    {
+        if (number_ >= 0) ::close(number_);
+        number_ = -1;
+    }
+
+private:
+    int number_;
+};
 
 // Bytes of address space that this process has; 0 where the system does not report it.
 std::uint64_t addressSpace()
@@ -74,16 +92,74 @@ void silence()
     try {
         Sender sender(file);
         send(sender);
+        sender.flush();
     } catch (...) {
         _exit(1);
     }
-    _exit(0);
+    _exit(kSentAll);
 }
 
-ChildEnd endOf(const Receiver& receiver)
+/// Reads until the other end is closed: `too_long` where the time is up before, `crashed` where
+/// more than `most` bytes come.
+ChildEnd readAll(int file, double time_s, std::uint64_t most, std::string& text)
 {
-    if (receiver.late()) return ChildEnd::too_long;
-    return receiver.failed() ? ChildEnd::crashed : ChildEnd::done;
+    const double deadline_s = clockSeconds() + time_s;
+    std::vector<char> part(kPipeBuffer);
+    for (;;) {
+        const double left_ms = std::ceil((deadline_s - clockSeconds()) * 1e3);
+        if (left_ms <= 0) return ChildEnd::too_long;
+        pollfd ready = {file, POLLIN, 0};
+        if (poll(&ready, 1, static_cast<int>(std::min(left_ms, 1e9))) <= 0) continue;
+        const ssize_t count = read(file, part.data(), part.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return ChildEnd::done;
+        if (text.size() + static_cast<std::size_t>(count) > most) return ChildEnd::crashed;
+        text.append(part.data(), static_cast<std::size_t>(count));
+    }
+}
+
+/// How it ended, as waitpid says it.
+int waitFor(pid_t process)
+{
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+/// This process's variables, but for those that `variables` sets, and these.
+std::vector<std::string> environmentWith(const std::vector<std::string>& variables)
+{
+    const auto nameOf = [](const std::string& text) { return text.substr(0, text.find('=') + 1); };
+    std::vector<std::string> all = variables;
+    for (char** each = environ; *each; ++each) {
+        const std::string name = nameOf(*each);
+        if (std::none_of(variables.begin(), variables.end(),
+                         [&](const std::string& set) { return nameOf(set) == name; }))
+            all.push_back(*each);
+    }
+    return all;
+}
+
+/// Starts the program, whose descriptors 0, 1 and 2 these become. The error number, or 0.
+int start(const std::string& path, const std::vector<std::string>& variables, int input, int output,
+          pid_t& process)
+{
+    std::vector<std::string> environment = environmentWith(variables);
+    std::vector<char*> pointers;
+    for (std::string& each : environment) pointers.push_back(each.data());
+    pointers.push_back(nullptr);
+    std::string name = path;
+    char* arguments[] = {name.data(), nullptr};
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
+    const int error =
+        posix_spawn(&process, path.c_str(), &actions, nullptr, arguments, pointers.data());
+    posix_spawn_file_actions_destroy(&actions);
+    return error;
 }
 
 }  // namespace
@@ -98,101 +174,74 @@ void limitSelf(const ChildLimits& limits)
     if (!kSanitized) limitTo(RLIMIT_AS, at_start + limits.memory);
 }
 
-void Sender::bytes(void* data, std::size_t size)
+void Sender::bytes(const void* data, std::size_t size)
 {
-    const char* const begin = static_cast<const char*>(data);
+    const std::string_view more(static_cast<const char*>(data), size);
     if (waiting_.size() + size > kPipeBuffer) flush();
-    if (size > kPipeBuffer)
-        write(begin, size);
-    else
-        waiting_.insert(waiting_.end(), begin, begin + size);
+    if (size <= kPipeBuffer)
+        waiting_ += more;
+    else if (writeAll(file_, more) != 0)
+        _exit(1);
 }
 
 void Sender::flush()
 {
-    write(waiting_.data(), waiting_.size());
+    if (writeAll(file_, waiting_) != 0) _exit(1);
     waiting_.clear();
 }
 
-void Sender::write(const char* data, std::size_t size)
-{
-    while (size > 0) {
-        const ssize_t written = ::write(file_, data, size);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) _exit(1);
-        data += written;
-        size -= static_cast<std::size_t>(written);
-    }
-}
-
-Receiver::Receiver(int file, const ChildLimits& limits)
-    : file_(file),
-      deadline_s_(now() + limits.time_s),
-      left_(limits.answer)
-{
-}
-
-bool Receiver::fill()
-{
-    for (;;) {
-        const double left_ms = std::ceil((deadline_s_ - now()) * 1e3);
-        pollfd ready = {file_, POLLIN, 0};
-        const int polled = poll(&ready, 1, static_cast<int>(std::clamp(left_ms, 0.0, 1e9)));
-        late_ = polled == 0 && left_ms <= 0;
-        if (late_ || (polled < 0 && errno != EINTR)) return false;
-        if (polled <= 0) continue;
-        read_.resize(kPipeBuffer);
-        const ssize_t count = ::read(file_, read_.data(), read_.size());
-        read_.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-        next_ = 0;
-        if (count < 0 && errno == EINTR) continue;
-        return count > 0;
-    }
-}
-
-void Receiver::bytes(void* data, std::size_t size)
-{
-    char* to = static_cast<char*>(data);
-    if (holds(size)) left_ -= size;
-    while (size > 0) {
-        if (!failed_ && next_ == read_.size()) failed_ = !fill();
-        if (failed_) {
-            std::memset(to, 0, size);
-            return;
-        }
-        const std::size_t count = std::min(size, read_.size() - next_);
-        std::memcpy(to, read_.data() + next_, count);
-        next_ += count;
-        to += count;
-        size -= count;
-    }
-}
-
 ChildEnd runInChild(const ChildLimits& limits, const std::function<void(Sender&)>& send,
-                    const std::function<void(Receiver&)>& receive)
+                    std::string& answer)
 {
     int ends[2] = {-1, -1};
     if (pipe(ends) != 0) return ChildEnd::no_child;
+    File out(ends[0]), in(ends[1]);
     const pid_t child = fork();
+    if (child < 0) return ChildEnd::no_child;
     if (child == 0) {
-        close(ends[0]);
-        runChild(ends[1], limits, send);
+        out.close();  // else its own end would keep the pipe open
+        runChild(in.number(), limits, send);
     }
-    close(ends[1]);
-    ChildEnd end = ChildEnd::no_child;
-    if (child > 0) {
-        Receiver receiver(ends[0], limits);
-        receive(receiver);
-        end = endOf(receiver);
-        kill(child, SIGKILL);  // it has nothing left to do, or is to do no more
-        int status = 0;
-        while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-        }
-        if (end == ChildEnd::crashed && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-            end = ChildEnd::too_long;
+    in.close();
+    const ChildEnd end = readAll(out.number(), limits.time_s, limits.answer, answer);
+    kill(child, SIGKILL);  // it has nothing left to do, or is to do no more
+    const int status = waitFor(child);
+    if (end != ChildEnd::done) return end;
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return ChildEnd::too_long;
+    const bool sent_all = WIFEXITED(status) && WEXITSTATUS(status) == kSentAll;
+    return sent_all ? ChildEnd::done : ChildEnd::crashed;
+}
+
+ProgramRun runProgram(const std::string& path, const std::vector<std::string>& variables,
+                      const std::string& input, double time_s)
+{
+    ProgramRun run;
+    int ends[2];
+    // A pipe could block: the program may print before it has read all.
+    const File text(memfd_create("input", MFD_CLOEXEC));
+    if (writeAll(text.number(), input) != 0 || lseek(text.number(), 0, SEEK_SET) != 0 ||
+        pipe2(ends, O_CLOEXEC) != 0) {
+        run.failure = "there is no file or no pipe for it";
+        return run;
     }
-    close(ends[0]);
-    return end;
+    const File out(ends[0]);
+    File in(ends[1]);
+    pid_t process = -1;
+    if (const int error = start(path, variables, text.number(), in.number(), process)) {
+        run.failure = std::string("it cannot be started: ") + std::strerror(error);
+        return run;
+    }
+    in.close();
+    const bool in_time = readAll(out.number(), time_s, UINT64_MAX, run.output) == ChildEnd::done;
+    if (!in_time) kill(process, SIGKILL);
+    const int status = waitFor(process);
+    if (!in_time)
+        run.failure = "it ran for more than " + fixed(time_s, 1) + " s";
+    else if (!WIFEXITED(status))
+        run.failure = "it was ended by signal " + std::to_string(WTERMSIG(status));
+    run.ended = run.failure.empty();
+    if (run.ended) run.exit_code = WEXITSTATUS(status);
+    return run;
 }
 
 }  // namespace crevice

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Work in a process of its own, which may crash, hang or ask for any amount of memory, and what it
-// sends back.
+// sends back; and another program run to its end.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace crevice {
@@ -19,8 +20,8 @@ struct ChildLimits {
 
 /// How a child ended.
 enum class ChildEnd {
-    done,      ///< It sent all that was asked for.
-    crashed,   ///< A signal or an exit, without the whole of it.
+    done,      ///< It came to its end, and all that it sent is there.
+    crashed,   ///< A signal or an exit before its end, or it sent more than it may.
     too_long,  ///< It was ended at one of its time limits.
     no_child,  ///< The system gives no process or no pipe.
 };
@@ -29,57 +30,38 @@ enum class ChildEnd {
 class Sender {
 public:
     explicit Sender(int file) : file_(file) {}
-    ~Sender() { flush(); }
-    Sender(const Sender&) = delete;
-    Sender& operator=(const Sender&) = delete;
 
-    void bytes(void* data, std::size_t size);
+    void bytes(const void* data, std::size_t size);
+    void flush();  ///< What was sent so far arrives even if the child crashes after that.
     bool holds(std::uint64_t) const { return true; }  ///< Nothing is received.
 
 private:
-    void write(const char* data, std::size_t size);
-    void flush();
-
     int file_;
-    std::vector<char> waiting_;
-};
-
-/// The parent's end. After a failure every further byte is 0.
-class Receiver {
-public:
-    Receiver(int file, const ChildLimits& limits);
-
-    void bytes(void* data, std::size_t size);
-
-    /// Whether so many bytes may come; what would be more is a failure.
-    bool holds(std::uint64_t size)
-    {
-        failed_ = failed_ || size > left_;
-        return !failed_;
-    }
-    bool failed() const { return failed_; }
-    bool late() const { return late_; }
-
-private:
-    bool fill();
-
-    int file_;
-    double deadline_s_;
-    std::uint64_t left_;  // bytes that may come
-    std::vector<char> read_;
-    std::size_t next_ = 0;
-    bool failed_ = false;
-    bool late_ = false;
+    std::string waiting_;
 };
 
 /// In a child: gives it other limits of memory and of the processor's time, counted from its start.
 void limitSelf(const ChildLimits& limits);
 
-/// Runs `send` in a copy of this process and `receive` in this one, and waits for both. The child
-/// never returns from here, runs no destructor of its caller's, prints nothing and leaves no core
-/// file. Past the memory limit its allocations fail; built for a sanitizer, which needs all of the
-/// address space, it has no such limit.
+/// Runs `send` in a copy of this process and waits for it; `answer` is what it sent, whole or,
+/// where it did not get done, as far as it came. The child never returns from here, runs no
+/// destructor of its caller's, prints nothing and leaves no core file. Past the memory limit its
+/// allocations fail; built for a sanitizer, which needs all of the address space, it has no such
+/// limit.
 ChildEnd runInChild(const ChildLimits& limits, const std::function<void(Sender&)>& send,
-                    const std::function<void(Receiver&)>& receive);
+                    std::string& answer);
+
+struct ProgramRun {
+    bool ended = false;   ///< It ended by itself, within the time.
+    int exit_code = 0;    ///< Then.
+    std::string output;   ///< Of stdout and stderr, in the order in which they were written.
+    std::string failure;  ///< Why it did not end so: "it was ended by signal 11"; else empty.
+};
+
+/// Runs the program at `path` with `input` on its standard input and the `variables`
+/// ("NAME=value") over this process's environment, and waits until it ends, at most `time_s`
+/// seconds.
+ProgramRun runProgram(const std::string& path, const std::vector<std::string>& variables,
+                      const std::string& input, double time_s);
 
 }  // namespace crevice

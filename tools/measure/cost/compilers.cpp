@@ -2,7 +2,7 @@
 #include "tools/measure/cost/compilers.h"
 
 #include "core/base/text.h"
-#include "tools/commands/cli/run_program.h"
+#include "tools/commands/cli/child_process.h"
 #include "tools/measure/reference/reference_cache.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include "tools/render/glsl/glslang_stage.h"
 
 #include <algorithm>
+#include <array>
 
 namespace crevice {
 namespace {
@@ -47,16 +48,6 @@ void compile(CheckedProgram& program)
         program.log = glslang_program_get_info_log(linked.get());
 }
 
-template <class Stream>
-void pass(Stream& stream, std::string& text)
-{
-    std::uint64_t size = text.size();
-    stream.bytes(&size, sizeof(size));
-    if (!stream.holds(size)) return;
-    text.resize(std::size_t(size));
-    stream.bytes(text.data(), text.size());
-}
-
 /// In a process of its own: a sum of a hundred thousand terms overflows glslang's stack, and macros
 /// that double themselves fill the memory.
 ChildEnd compileApart(std::vector<CheckedProgram>& programs)
@@ -69,24 +60,26 @@ ChildEnd compileApart(std::vector<CheckedProgram>& programs)
         return true;
     }();
     if (!ready || programs.empty()) return ChildEnd::done;
-    const auto passLogs = [](auto& stream, CheckedProgram& each) {
-        for (std::string* log : {&each.vertex.log, &each.fragment.log, &each.log})
-            pass(stream, *log);
+    const auto logsOf = [](CheckedProgram& each) {
+        return std::array<std::string*, 3>{&each.vertex.log, &each.fragment.log, &each.log};
     };
-    return runInChild(
-        kLimits,
-        [&](Sender& sender) {
-            for (CheckedProgram& each : programs) {
-                compile(each);
-                passLogs(sender, each);
-            }
-        },
-        [&](Receiver& receiver) {
-            for (CheckedProgram& each : programs) {
-                passLogs(receiver, each);
-                each.ended = !receiver.failed();
-            }
-        });
+    std::string answer;
+    const auto send = [&](Sender& sender) {
+        for (CheckedProgram& each : programs) {
+            compile(each);
+            for (const std::string* log : logsOf(each)) sender.bytes(log->c_str(), log->size() + 1);
+            sender.flush();
+        }
+    };
+    const ChildEnd end = runInChild(kLimits, send, answer);
+    const std::vector<std::string_view> logs = split(answer, '\0');  // and what a crash cut off
+    std::size_t next = 0;
+    for (CheckedProgram& each : programs) {
+        each.ended = next + 3 < logs.size();
+        for (std::string* log : logsOf(each))
+            if (each.ended) *log = logs[next++];
+    }
+    return end;
 }
 
 /// Inputs that the fragment shader uses and the vertex shader does not write, which glslang lets

@@ -5,7 +5,6 @@
 #include "tools/render/scene/transfer.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace crevice {
 namespace {
@@ -26,35 +25,6 @@ public:
 
 private:
     std::string written_;
-};
-
-// After a failure every further byte is 0.
-class BytesReader {
-public:
-    explicit BytesReader(std::string_view bytes) : left_(bytes) {}
-
-    void bytes(void* data, std::size_t size)
-    {
-        if (size == 0) return;
-        if (!holds(size)) {
-            std::memset(data, 0, size);
-            return;
-        }
-        std::memcpy(data, left_.data(), size);
-        left_.remove_prefix(size);
-    }
-
-    bool holds(std::uint64_t size)
-    {
-        failed_ = failed_ || size > left_.size();
-        return !failed_;
-    }
-
-    bool whole() const { return !failed_ && left_.empty(); }
-
-private:
-    std::string_view left_;
-    bool failed_ = false;
 };
 
 Diagnostic broken(const std::string& reason)

@@ -9,9 +9,40 @@
 #include "tools/render/scene/scene.h"
 
 #include <cstdint>
+#include <cstring>
+#include <string_view>
 #include <type_traits>
 
 namespace crevice {
+
+/// Receives what lies in memory, which must outlive it. After a failure every further byte is 0.
+class BytesReader {
+public:
+    explicit BytesReader(std::string_view bytes) : left_(bytes) {}
+
+    void bytes(void* data, std::size_t size)
+    {
+        if (size == 0) return;
+        if (!holds(size)) {
+            std::memset(data, 0, size);
+            return;
+        }
+        std::memcpy(data, left_.data(), size);
+        left_.remove_prefix(size);
+    }
+
+    bool holds(std::uint64_t size)
+    {
+        failed_ = failed_ || size > left_.size();
+        return !failed_;
+    }
+
+    bool whole() const { return !failed_ && left_.empty(); }
+
+private:
+    std::string_view left_;
+    bool failed_ = false;
+};
 
 /// What is sent as it lies in memory: it has no padding and no length of its own.
 template <class T>
@@ -24,14 +55,7 @@ inline constexpr bool kIsPlain<glm::mat<C, R, T, Q>> = true;
 template <>
 inline constexpr bool kIsPlain<Vertex> = sizeof(Vertex) == 8 * sizeof(float);
 
-template <class Pipe>
-void transfer(Pipe& pipe, bool& value);
-template <class Pipe>
-void transfer(Pipe& pipe, std::string& text);
-template <class Pipe, class Entry>
-void transfer(Pipe& pipe, std::vector<Entry>& list);
-template <class Pipe, class T>
-void transfer(Pipe& pipe, T& value);
+// The functions below find each other by the namespace of the pipe.
 
 template <class Pipe, class... Members>
 void transferAll(Pipe& pipe, Members&... members)
@@ -40,10 +64,9 @@ void transferAll(Pipe& pipe, Members&... members)
 }
 
 /// What is received takes memory as it comes, and not as its length says.
-template <class Pipe, class List>
-void transferList(Pipe& pipe, List& list)
+template <class Pipe, template <class...> class List, class Entry, class... Rest>
+void transfer(Pipe& pipe, List<Entry, Rest...>& list)
 {
-    using Entry = typename List::value_type;
     std::uint64_t size = list.size();
     pipe.bytes(&size, sizeof(size));
     if constexpr (kIsPlain<Entry>) {
@@ -64,18 +87,6 @@ void transfer(Pipe& pipe, bool& value)
     std::uint8_t byte = value ? 1 : 0;
     pipe.bytes(&byte, sizeof(byte));
     value = byte != 0;
-}
-
-template <class Pipe>
-void transfer(Pipe& pipe, std::string& text)
-{
-    transferList(pipe, text);
-}
-
-template <class Pipe, class Entry>
-void transfer(Pipe& pipe, std::vector<Entry>& list)
-{
-    transferList(pipe, list);
 }
 
 // Bindings, so that a member that is added does not compile until it is sent as well.

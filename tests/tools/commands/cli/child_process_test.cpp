@@ -1,25 +1,37 @@
 // SPDX-License-Identifier: MIT
-// Work in a process of its own: what comes back, and every way in which it can go wrong.
+// Work in a process of its own, and other programs: what comes back, and every way in which they
+// can go wrong.
 #include "tools/commands/cli/child_process.h"
 
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
-#include <memory>
+#include <filesystem>
 #include <new>
 
 using namespace crevice;
 
 namespace {
 
-const auto kNothing = [](Receiver& receiver) {
-    char byte = 0;
-    receiver.bytes(&byte, 1);
-};
+ChildEnd endOf(const ChildLimits& limits, const std::function<void(Sender&)>& work)
+{
+    std::string answer;
+    return runInChild(limits, work, answer);
+}
+
+/// Runs a shell script of these lines.
+ProgramRun runScript(const std::string& lines, const std::string& input = {}, double time_s = 20)
+{
+    const TemporaryFolder folder("run_program");
+    const std::string path = folder.write("script", "#!/bin/sh\n" + lines + "\n");
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return runProgram(path, {"CREVICE_WORD=said so"}, input, time_s);
+}
 
 }  // namespace
 
@@ -27,35 +39,31 @@ TEST_CASE("what a child sends arrives as it was, small and large")
 {
     std::vector<int> numbers(300000);
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i * 7);
-    std::vector<int> received(numbers.size());
-    int first = 42, arrived = 0;
+    const std::size_t size = numbers.size() * sizeof(int);
+    std::string answer;
     const ChildEnd end = runInChild(
         {},
         [&](Sender& sender) {
-            sender.bytes(&first, sizeof(first));
-            sender.bytes(numbers.data(), numbers.size() * sizeof(int));
+            sender.bytes("first", 5);
+            sender.bytes(numbers.data(), size);
         },
-        [&](Receiver& receiver) {
-            receiver.bytes(&arrived, sizeof(arrived));
-            receiver.bytes(received.data(), received.size() * sizeof(int));
-        });
+        answer);
     CHECK(end == ChildEnd::done);
-    CHECK(arrived == 42);
-    CHECK(received == numbers);
+    CHECK(answer == "first" + std::string(reinterpret_cast<const char*>(numbers.data()), size));
 }
 
 TEST_CASE("a child that crashes, ends, throws or hangs is distinguished from one that is done")
 {
     void (*const crashes[])(Sender&) = {[](Sender&) { std::abort(); },
                                         [](Sender&) { std::_Exit(0); }, [](Sender&) { throw 1; }};
-    for (const auto& work : crashes) CHECK(runInChild({}, work, kNothing) == ChildEnd::crashed);
+    for (const auto& work : crashes) CHECK(endOf({}, work) == ChildEnd::crashed);
     ChildLimits limits;
     limits.time_s = 0.2;
     const auto hang = [](Sender&) {
         for (;;) pause();
     };
     const auto begin = std::chrono::steady_clock::now();
-    CHECK(runInChild(limits, hang, kNothing) == ChildEnd::too_long);
+    CHECK(endOf(limits, hang) == ChildEnd::too_long);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     CHECK(taken.count() < 5);
 }
@@ -69,16 +77,14 @@ TEST_CASE("a child is ended at its limit of the processor's time, and may give i
         while (static_cast<double>(std::clock()) / CLOCKS_PER_SEC < seconds) {
         }
     };
-    CHECK(runInChild(
-              limits, [&](Sender&) { work(100); }, kNothing) == ChildEnd::too_long);
-    const auto more = [&](Sender& sender) {
+    CHECK(endOf(limits, [&](Sender&) { work(100); }) == ChildEnd::too_long);
+    const auto more = [&](Sender&) {
         ChildLimits larger = limits;
         larger.cpu_s = 100;
         limitSelf(larger);
         work(1.5);
-        sender.bytes(&larger, 1);
     };
-    CHECK(runInChild(limits, more, kNothing) == ChildEnd::done);
+    CHECK(endOf(limits, more) == ChildEnd::done);
 }
 
 TEST_CASE("a child that sends more than it may is not listened to")
@@ -86,13 +92,23 @@ TEST_CASE("a child that sends more than it may is not listened to")
     ChildLimits limits;
     limits.answer = 1000;
     for (const std::size_t size : {1000u, 1001u}) {
-        std::vector<char> sent(size, 'x'), received(size);
-        const ChildEnd end = runInChild(
-            limits, [&](Sender& sender) { sender.bytes(sent.data(), size); },
-            [&](Receiver& receiver) { receiver.bytes(received.data(), size); });
+        const std::string sent(size, 'x');
+        const ChildEnd end =
+            endOf(limits, [&](Sender& sender) { sender.bytes(sent.data(), size); });
         CHECK(end == (size <= limits.answer ? ChildEnd::done : ChildEnd::crashed));
-        CHECK(received.back() == (size <= limits.answer ? 'x' : '\0'));
     }
+}
+
+TEST_CASE("what a child sends before it crashes arrives")
+{
+    std::string answer;
+    const auto half = [](Sender& sender) {
+        sender.bytes("half", 4);
+        sender.flush();
+        std::abort();
+    };
+    CHECK(runInChild({}, half, answer) == ChildEnd::crashed);
+    CHECK(answer == "half");
 }
 
 #ifndef __SANITIZE_ADDRESS__
@@ -100,7 +116,7 @@ TEST_CASE("a child that wants more memory than it may have is refused it")
 {
     ChildLimits limits;
     limits.memory = 64 << 20;
-    char refused = 0;
+    std::string refused;
     const ChildEnd end = runInChild(
         limits,
         [](Sender& sender) {
@@ -113,8 +129,39 @@ TEST_CASE("a child that wants more memory than it may have is refused it")
             }
             sender.bytes(&answer, 1);
         },
-        [&](Receiver& receiver) { receiver.bytes(&refused, 1); });
+        refused);
     CHECK(end == ChildEnd::done);
-    CHECK(refused == 'y');
+    CHECK(refused == "y");
 }
 #endif
+
+TEST_CASE("A program gets its input and variables, and what it prints comes back in order")
+{
+    const ProgramRun run = runScript(
+        "cat; echo \"$CREVICE_WORD\" >&2; echo \"${PATH:+a path}\"; exit 3", "some\ntext\n");
+    CHECK(run.ended);
+    CHECK(run.exit_code == 3);
+    CHECK(run.output == "some\ntext\nsaid so\na path\n");
+}
+
+TEST_CASE("A program that prints much before it reads blocks nobody")
+{
+    const std::string input(1 << 20, 'x');
+    const ProgramRun run = runScript("head -c 1000000 /dev/zero | tr '\\0' y; cat", input);
+    CHECK(run.ended);
+    CHECK(run.output.size() == 1000000 + input.size());
+}
+
+TEST_CASE("A program that hangs, crashes or is not there is told from one that ends")
+{
+    const ProgramRun late = runScript("exec sleep 60", "", 0.2);
+    CHECK_FALSE(late.ended);
+    CHECK(late.failure == "it ran for more than 0.2 s");
+    const ProgramRun crashed = runScript("echo so far; kill -9 $$");
+    CHECK_FALSE(crashed.ended);
+    CHECK(crashed.failure == "it was ended by signal 9");
+    CHECK(crashed.output == "so far\n");
+    const ProgramRun missing = runProgram("/nowhere/at all", {}, "", 5);
+    CHECK_FALSE(missing.ended);
+    CHECK(missing.failure == "it cannot be started: No such file or directory");
+}

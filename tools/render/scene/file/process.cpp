@@ -63,15 +63,17 @@ Result<Scene> importApart(const std::string& path, const ImportOptions& options)
 {
     std::error_code error;
     const ChildLimits limits = readerLimits(std::filesystem::file_size(path, error), options);
-    Answer answer;
-    const ChildEnd end = runInChild(
-        limits,
-        [&](Sender& sender) {
-            Answer read = answerOf(path, options);
-            transfer(sender, read);
-        },
-        [&](Receiver& receiver) { transfer(receiver, answer); });
+    std::string bytes;
+    const auto send = [&](Sender& sender) {
+        Answer read = answerOf(path, options);
+        transfer(sender, read);
+    };
+    const ChildEnd end = runInChild(limits, send, bytes);
     if (end != ChildEnd::done) return unfinished(end, path, limits);
+    Answer answer;
+    BytesReader reader(bytes);
+    transfer(reader, answer);
+    if (!reader.whole()) return unfinished(ChildEnd::crashed, path, limits);
     if (!answer.ok) return answer.diagnostics;
     if (!isSound(answer.scene)) return brokenScene(path, "its reader mixed it up");
     return {std::move(answer.scene), std::move(answer.diagnostics)};
