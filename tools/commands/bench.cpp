@@ -138,10 +138,8 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
         ->type_name("N,...")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
-    app.add_option("--set", bench.overrides,
-                   "Set a value in every config, as for crevice render; may be repeated")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
+    addList(app, "--set", bench.overrides, "NAME=VALUE",
+            "Set a value in every config, as for crevice render; may be repeated");
     addHostDepthOption(app, bench.overrides);
     app.add_option("--output", bench.output,
                    "Time what this output needs: color for whole frames, with geometry, occlusion "

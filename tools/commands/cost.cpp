@@ -97,9 +97,7 @@ void addCostCommand(CLI::App& app, int& exit_code)
     std::string gpus = "Ask this GPU's compiler alone; may be repeated:";
     for (const CostGpu& gpu : costGpus())
         gpus += std::string(&gpu == &costGpus().front() ? " " : ", ") + gpu.name;
-    command->add_option("--gpu", options->cost.gpus, gpus)
-        ->type_name("NAME")
-        ->allow_extra_args(false);
+    addList(*command, "--gpu", options->cost.gpus, "NAME", gpus);
     command
         ->add_option("--compilers", options->cost.compilers,
                      "Where tools/scripts/mobile_compilers.sh built them. Default: "

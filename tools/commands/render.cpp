@@ -25,34 +25,27 @@
 namespace crevice {
 namespace {
 
-/// What the run prints when it is done.
-struct Summary {
-    std::string config, scene, device;
-    Extent extent;
-    long long triangles = 0;
-    std::size_t passes = 0;
-    double create_ms = 0;  ///< Wall clock of planning and compiling.
-    double ms = 0;         ///< Wall clock of the first frame, the wait for the GPU included.
-    const ProgramFolder* programs = nullptr;  ///< Null without --program-cache.
-    bool first_of_mean = false;  ///< Nobody asked for frames, and the config gathers over them.
-};
-
-void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
+/// What is drawn, and where: `ms` is the wall clock of the first frame.
+void printSummary(const RenderOptions& options, const Session& session, const SceneView& view,
+                  const std::vector<Picture>& pictures, double ms)
 {
+    const Renderer& renderer = *session.renderer;
     printMessage("%s: %d passes over %s, %lld triangles, %dx%d\n",
-                 printableLine(summary.config).c_str(), static_cast<int>(summary.passes),
-                 printableLine(summary.scene).c_str(), summary.triangles, summary.extent.width,
-                 summary.extent.height);
-    printMessage("on %s\n", summary.device.c_str());
+                 printableLine(renderer.description().name).c_str(),
+                 static_cast<int>(renderer.plan().passes.size()),
+                 printableLine(view.scene.name).c_str(), triangleCount(view.scene),
+                 view.extent.width, view.extent.height);
+    printMessage("on %s\n", session.open.context->description().c_str());
     printMessage("planned and compiled in %s ms (wall clock)\n",
-                 fixed(summary.create_ms, 1).c_str());
-    if (const ProgramFolder* programs = summary.programs; programs && programs->asked() > 0)
+                 fixed(session.create_ms, 1).c_str());
+    if (const ProgramFolder* programs = session.open.programs.get();
+        programs && programs->asked() > 0)
         printMessage("%d of %d programs came from the cache\n", programs->found(),
                      programs->asked());
     else if (programs)
         printMessage("no programs are cached: the driver has no program binaries\n");
-    printMessage("drawn in %s ms (wall clock, first frame)\n", fixed(summary.ms, 1).c_str());
-    if (summary.first_of_mean)
+    printMessage("drawn in %s ms (wall clock, first frame)\n", fixed(ms, 1).c_str());
+    if (options.frames == 0 && options.path.empty() && remembers(renderer.plan()))
         printMessage("this is frame 1 of a config that accumulates: --frames %d draws its mean\n",
                      kGatheringFrames);
     for (const Picture& picture : pictures)
@@ -60,28 +53,28 @@ void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
                      printableLine(picture.request.name).c_str());
 }
 
-void printJson(const Summary& summary, const std::vector<Picture>& pictures,
-               const Diagnostics& warnings)
+void printJson(const Session& session, const SceneView& view, const std::vector<Picture>& pictures,
+               double ms, const Diagnostics& warnings)
 {
+    const Renderer& renderer = *session.renderer;
     nlohmann::json files = nlohmann::json::array();
     for (const Picture& picture : pictures)
         files.push_back({{"name", picture.request.name}, {"file", picture.request.file}});
     nlohmann::json json = {
-        {"config", summary.config},
-        {"scene", summary.scene},
-        {"triangles", summary.triangles},
-        {"width", summary.extent.width},
-        {"height", summary.extent.height},
-        {"passes", summary.passes},
-        {"device", summary.device},
-        {"create_ms", summary.create_ms},
-        {"first_frame_ms", summary.ms},
+        {"config", renderer.description().name},
+        {"scene", view.scene.name},
+        {"triangles", triangleCount(view.scene)},
+        {"width", view.extent.width},
+        {"height", view.extent.height},
+        {"passes", renderer.plan().passes.size()},
+        {"device", session.open.context->description()},
+        {"create_ms", session.create_ms},
+        {"first_frame_ms", ms},
         {"files", files},
         {"diagnostics", nlohmann::json::parse(toJson(warnings))},
     };
-    if (summary.programs)
-        json["program_cache"] = {{"asked", summary.programs->asked()},
-                                 {"found", summary.programs->found()}};
+    if (const ProgramFolder* programs = session.open.programs.get())
+        json["program_cache"] = {{"asked", programs->asked()}, {"found", programs->found()}};
     printAsJson(json);
 }
 
@@ -155,22 +148,6 @@ int watch(const RenderOptions& options, const SourceSet& sources, Session& sessi
     return kExitOk;
 }
 
-Summary summaryOf(const RenderOptions& options, const Session& session, const SceneView& view,
-                  double ms)
-{
-    const Renderer& renderer = *session.renderer;
-    return {renderer.description().name,
-            view.scene.name,
-            session.open.context->description(),
-            view.extent,
-            triangleCount(view.scene),
-            renderer.plan().passes.size(),
-            session.create_ms,
-            ms,
-            session.open.programs.get(),
-            options.frames == 0 && options.path.empty() && remembers(renderer.plan())};
-}
-
 /// Whether the picture shows ambient occlusion.
 Diagnostics checkPicture(Session& session, const SceneView& view,
                          const std::vector<Picture>& pictures)
@@ -194,10 +171,9 @@ void showSummary(const RenderOptions& options, Session& session, const SceneView
     });
     if (!unfilled) append(warnings, checkPicture(session, view, pictures));
     if (session.open.programs) append(warnings, session.open.programs->warnings());
-    const Summary summary = summaryOf(options, session, view, ms);
-    if (options.json) return printJson(summary, pictures, warnings);
+    if (options.json) return printJson(session, view, pictures, ms, warnings);
     report(warnings, false);
-    printSummary(summary, pictures);
+    printSummary(options, session, view, pictures, ms);
 }
 
 /// The patch alone was asked for, which needs no picture.
@@ -259,12 +235,10 @@ int render(const RenderOptions& options)
 
 void addPictureOptions(CLI::App& app, RenderOptions& options)
 {
-    app.add_option("--out", options.out,
-                   "What to write where: an output, a debug view or a target (target.NAME where "
-                   "an output has that name), to .png or .pfm; may be repeated; with --host-depth "
-                   "ao=ao.png unless told")
-        ->type_name("NAME=FILE")
-        ->allow_extra_args(false)
+    addList(app, "--out", options.out, "NAME=FILE",
+            "What to write where: an output, a debug view or a target (target.NAME where an output "
+            "has that name), to .png or .pfm; may be repeated; with --host-depth ao=ao.png unless "
+            "told")
         ->capture_default_str();
     app.add_option("--frames", options.frames,
                    "Number of frames to draw; the last one is written. Configs that accumulate "

@@ -57,19 +57,14 @@ int listCases(const std::vector<StressTask>& tasks)
 
 struct Totals {
     int series = 0, failing = 0, failures = 0;
-};
 
-Totals totalsOf(const std::vector<StressSeries>& all)
-{
-    Totals totals;
-    for (const StressSeries& series : all) {
-        const Breakdown found = findBreakdown(*series.stress, series.steps);
-        totals.series += !found.absent;
-        totals.failing += found.failures > 0;
-        totals.failures += found.failures;
+    void add(const Breakdown& found)
+    {
+        series += !found.absent;
+        failing += found.failures > 0;
+        failures += found.failures;
     }
-    return totals;
-}
+};
 
 void printPoints(const std::vector<BreakdownPoint>& points, const std::string& config)
 {
@@ -87,6 +82,7 @@ void printTable(const std::vector<StressSeries>& all)
 {
     const std::vector<BreakdownPoint> points = breakdownPoints(all);
     std::string config;
+    Totals totals;
     for (const StressSeries& series : all) {
         if (series.config != config) {
             config = series.config;
@@ -95,8 +91,8 @@ void printTable(const std::vector<StressSeries>& all)
         }
         const Breakdown found = findBreakdown(*series.stress, series.steps);
         print("  %-34s %s\n", series.stress->name.c_str(), describe(*series.stress, found).c_str());
+        totals.add(found);
     }
-    const Totals totals = totalsOf(all);
     print("%d cases, %d of them fail in %d steps\n", totals.series, totals.failing,
           totals.failures);
 }
@@ -126,14 +122,15 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device,
     std::vector<std::string> points;
     for (const BreakdownPoint& point : breakdownPoints(all)) points.push_back(sentenceOf(point));
     nlohmann::json cases = nlohmann::json::array();
+    Totals totals;
     for (const StressSeries& series : all) {
         const Breakdown found = findBreakdown(*series.stress, series.steps);
         cases.push_back({{"config", series.config},
                          {"case", series.stress->name},
                          {"failures", found.failures},
                          {"text", describe(*series.stress, found)}});
+        totals.add(found);
     }
-    const Totals totals = totalsOf(all);
     printAsJson({{"device", device},
                  {"breakdown_points", points},
                  {"cases", cases},
@@ -211,9 +208,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
     auto options = std::make_shared<StressCommand>();
     command->add_option("CONFIG", options->stress.configs,
                         "Shipped configs' names, or files. Default: all shipped ones");
-    command->add_option("--case", options->stress.cases, "Only this case; may be repeated")
-        ->type_name("NAME")
-        ->allow_extra_args(false);
+    addList(*command, "--case", options->stress.cases, "NAME", "Only this case; may be repeated");
     command->add_option("--size", options->size, "Size of most pictures, in pixels")
         ->type_name("WxH")
         ->capture_default_str();

@@ -45,9 +45,8 @@ Result<CameraPath> findCameraPath(const std::string& name)
         if (name == path.name) return path;
         names.push_back(path.name);
     }
-    Diagnostic error{Code::usage, "there is no camera path '" + name + "'"};
-    error.help = suggestName(name, names, "camera paths");
-    return error;
+    return Diagnostic{Code::usage, "there is no camera path '" + name + "'",
+                      suggestName(name, names, "camera paths")};
 }
 
 SceneCamera cameraAt(const CameraPath& path, const PathView& view, int frame, int frames)

@@ -17,10 +17,10 @@ Diagnostic unknownOutput(const Description& description, const std::string& name
         names.push_back(findNamed(description.outputs, target.name)
                             ? std::string(kTargetPrefix) + target.name
                             : target.name);
-    Diagnostic error{Code::output_missing, "the config '" + description.name +
-                                               "' has no output, view or target '" + name + "'"};
-    error.help = suggestName(name, std::move(names), "names");
-    return error;
+    return Diagnostic{
+        Code::output_missing,
+        "the config '" + description.name + "' has no output, view or target '" + name + "'",
+        suggestName(name, std::move(names), "names")};
 }
 
 /// Exports a target under a name of its own and returns that name.

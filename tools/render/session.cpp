@@ -2,6 +2,7 @@
 // Drawing a scene through a config, and reading the pictures back.
 #include "tools/render/session.h"
 
+#include "tools/commands/cli/long_run.h"
 #include "tools/commands/cli/output.h"
 #include "tools/render/glsl/glsl_check.h"
 #include "tools/render/image/image_file.h"
@@ -9,28 +10,22 @@
 #include "tools/render/view_diagnosis.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace crevice {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start)
-{
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
+double millisecondsSince(double start_s) { return (clockSeconds() - start_s) * 1e3; }
 
 /// Gives the milliseconds by the wall clock, the wait for the GPU included.
 Result<double> timeFirst(Session& session, const Frame& frame)
 {
     Device& device = *session.open.device;
     device.finish();
-    const Clock::time_point start = Clock::now();
+    const double start_s = clockSeconds();
     const Status drawn = session.renderer->render(frame);
     if (!drawn) return drawn.diagnostics();
     device.finish();
-    return {millisecondsSince(start), drawn.diagnostics()};
+    return {millisecondsSince(start_s), drawn.diagnostics()};
 }
 
 Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
@@ -116,11 +111,11 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     progress.begin("compiling shaders");
     if (const Status right = checkShaders(session, description, session.options); !right)
         return right.diagnostics();
-    const Clock::time_point start = Clock::now();
+    const double start_s = clockSeconds();
     Result<std::unique_ptr<Renderer>> created =
         Renderer::create(device, std::move(description), session.options, traitsOf(*frame));
     if (!created) return created.diagnostics();
-    session.create_ms = millisecondsSince(start);
+    session.create_ms = millisecondsSince(start_s);
     session.renderer = std::move(*created);
     Diagnostics warnings = open.diagnostics();
     append(warnings, created.diagnostics());

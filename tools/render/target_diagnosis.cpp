@@ -24,13 +24,13 @@ const TargetHealth* healthOf(const std::vector<TargetHealth>& all, const std::st
     return at == all.end() ? nullptr : &*at;
 }
 
-// "radius = 0.5, power = 1": the params that feed the pass's shader.
+// "; it reads radius = 0.5, power = 1": the params that feed the pass's shader; empty without any.
 std::string paramsRead(const Description& description, const PlanPass& pass)
 {
     std::string text;
     for (const ParamDesc& param : description.params) {
         if (componentCount(param.type) > 1 || !findNamed(pass.uniforms, param.name)) continue;
-        text += (text.empty() ? "" : ", ") + param.name + " = " + number(param.value[0]);
+        text += (text.empty() ? "; it reads " : ", ") + param.name + " = " + number(param.value[0]);
     }
     return text;
 }
@@ -66,24 +66,19 @@ std::string whyUndefined(const PlanPass& pass, const TargetHealth& health)
            "is set in one branch alone), or reads a texel that nothing wrote";
 }
 
-std::string whyNotFinite(const Description& description, const PlanPass& pass)
-{
-    std::string help =
-        "all that it reads is finite, so its shader divides by zero, normalizes a "
-        "vector of no length, takes the root or power of something negative, or "
-        "leaves the range of the target's format";
-    const std::string params = paramsRead(description, pass);
-    return params.empty() ? help : help + "; it reads " + params;
-}
-
 std::string causeOf(const Description& description, const PlanPass& pass,
                     const TargetHealth& health)
 {
-    if (health.not_numbers + health.infinite > 0) return whyNotFinite(description, pass);
+    if (health.not_numbers + health.infinite > 0)
+        return std::string(
+                   "all that it reads is finite, so its shader divides by zero, normalizes a "
+                   "vector of no length, takes the root or power of something negative, or leaves "
+                   "the range of the target's format") +
+               paramsRead(description, pass);
     if (health.out_of_range == 0) return whyUndefined(pass, health);
-    const std::string params = paramsRead(description, pass);
-    return "the format clamps them: clamp in the shader, where a sum or root goes wrong" +
-           (params.empty() ? "" : "; it reads " + params);
+    return std::string(
+               "the format clamps them: clamp in the shader, where a sum or root goes wrong") +
+           paramsRead(description, pass);
 }
 
 // What is wrong with the target, in one sentence.
@@ -156,16 +151,6 @@ const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& he
     return target;
 }
 
-// Why the plan put a constant in the place of an output.
-std::string whyPlanned(const Plan& plan)
-{
-    std::string text;
-    for (const Elided& each : plan.elided)
-        if (each.optimization == "no_op" || each.optimization == "condition")
-            text += (text.empty() ? "" : "; ") + each.what + " does not run: " + each.reason;
-    return text;
-}
-
 Diagnostic constantOutput(const Description& description, const std::string& output,
                           const std::string& pass, const std::string& value)
 {
@@ -173,6 +158,16 @@ Diagnostic constantOutput(const Description& description, const std::string& out
                                "output '" + output + "' is " + value + " everywhere");
     warning.severity = Severity::warning;
     return warning;
+}
+
+/// From the upper left on, row by row.
+template <class Look>
+void forPixels(const Image& image, const Look& look)
+{
+    for (int y = image.extent.height - 1; y >= 0; --y)
+        for (int x = 0; x < image.extent.width; ++x)
+            look(&image.pixels[(std::size_t(y) * image.extent.width + x) * image.channels],
+                 PixelPlace{x, image.extent.height - 1 - y});
 }
 
 std::string valueText(const TargetHealth& health)
@@ -185,6 +180,15 @@ std::string valueText(const TargetHealth& health)
 
 }  // namespace
 
+std::string whyPlanned(const Plan& plan)
+{
+    std::string text;
+    for (const Elided& each : plan.elided)
+        if (each.optimization == "no_op" || each.optimization == "condition")
+            text += (text.empty() ? "" : "; ") + each.what + " does not run: " + each.reason;
+    return text;
+}
+
 TargetHealth examine(const Image& drawn, const Image& redrawn)
 {
     TargetHealth health;
@@ -192,29 +196,25 @@ TargetHealth examine(const Image& drawn, const Image& redrawn)
     health.constant = true;
     health.minimum.fill(HUGE_VALF);
     health.maximum.fill(-HUGE_VALF);
-    const Extent size = drawn.extent;
-    health.pixels = static_cast<std::size_t>(size.width) * size.height;
+    health.pixels = static_cast<std::size_t>(drawn.extent.width) * drawn.extent.height;
     const std::size_t bytes = sizeof(float) * drawn.channels;
-    for (int y = size.height - 1; y >= 0; --y) {
-        for (int x = 0; x < size.width; ++x) {
-            const float* one = &drawn.pixels[(std::size_t(y) * size.width + x) * drawn.channels];
-            const float* other = one - drawn.pixels.data() + redrawn.pixels.data();
-            const bool was_bad = health.bad();
-            bool nan = false, inf = false;
-            for (int i = 0; i < health.channels; ++i) {
-                nan = nan || std::isnan(one[i]);
-                inf = inf || std::isinf(one[i]);
-                if (!std::isfinite(one[i])) continue;
-                health.minimum[i] = std::min(health.minimum[i], one[i]);
-                health.maximum[i] = std::max(health.maximum[i], one[i]);
-            }
-            health.not_numbers += nan;
-            health.infinite += inf && !nan;
-            health.undefined += std::memcmp(one, other, bytes) != 0;
-            health.constant = health.constant && std::memcmp(one, drawn.pixels.data(), bytes) == 0;
-            if (!was_bad && health.bad()) health.first_bad = {x, size.height - 1 - y};
+    forPixels(drawn, [&](const float* one, const PixelPlace& place) {
+        const float* other = one - drawn.pixels.data() + redrawn.pixels.data();
+        const bool was_bad = health.bad();
+        bool nan = false, inf = false;
+        for (int i = 0; i < health.channels; ++i) {
+            nan = nan || std::isnan(one[i]);
+            inf = inf || std::isinf(one[i]);
+            if (!std::isfinite(one[i])) continue;
+            health.minimum[i] = std::min(health.minimum[i], one[i]);
+            health.maximum[i] = std::max(health.maximum[i], one[i]);
         }
-    }
+        health.not_numbers += nan;
+        health.infinite += inf && !nan;
+        health.undefined += std::memcmp(one, other, bytes) != 0;
+        health.constant = health.constant && std::memcmp(one, drawn.pixels.data(), bytes) == 0;
+        if (!was_bad && health.bad()) health.first_bad = place;
+    });
     return health;
 }
 
@@ -227,30 +227,25 @@ void examineFloats(const Image& floats, Format stored, TargetHealth& health)
     const float most = unorm ? 1 + step : narrow ? kMostHalf : FLT_MAX;
     const float least = unorm ? -step : -most;
     std::size_t not_numbers = 0, infinite = 0, out_of_range = 0;
-    const Extent size = floats.extent;
-    for (int y = size.height - 1; y >= 0; --y) {
-        for (int x = 0; x < size.width; ++x) {
-            const float* pixel =
-                &floats.pixels[(std::size_t(y) * size.width + x) * floats.channels];
-            const float* bad = nullptr;
-            bool nan = false;
-            for (int i = 0; i < health.channels; ++i) {
-                health.minimum[i] = std::fmin(health.minimum[i], pixel[i]);  // without NaN
-                health.maximum[i] = std::fmax(health.maximum[i], pixel[i]);
-                if (pixel[i] >= least && pixel[i] <= most) continue;
-                if (!bad) bad = pixel + i;
-                nan = nan || std::isnan(pixel[i]);
-            }
-            if (!bad) continue;
-            if (not_numbers + infinite + out_of_range == 0) {
-                health.first_bad = {x, size.height - 1 - y};
-                health.first_value = *bad;
-            }
-            not_numbers += nan;
-            infinite += !nan && std::isinf(*bad);
-            out_of_range += !nan && !std::isinf(*bad);
+    forPixels(floats, [&](const float* pixel, const PixelPlace& place) {
+        const float* bad = nullptr;
+        bool nan = false;
+        for (int i = 0; i < health.channels; ++i) {
+            health.minimum[i] = std::fmin(health.minimum[i], pixel[i]);  // without NaN
+            health.maximum[i] = std::fmax(health.maximum[i], pixel[i]);
+            if (pixel[i] >= least && pixel[i] <= most) continue;
+            if (!bad) bad = pixel + i;
+            nan = nan || std::isnan(pixel[i]);
         }
-    }
+        if (!bad) return;
+        if (not_numbers + infinite + out_of_range == 0) {
+            health.first_bad = place;
+            health.first_value = *bad;
+        }
+        not_numbers += nan;
+        infinite += !nan && std::isinf(*bad);
+        out_of_range += !nan && !std::isinf(*bad);
+    });
     health.not_numbers = std::max(health.not_numbers, not_numbers);
     health.infinite = std::max(health.infinite, infinite);
     health.out_of_range = out_of_range;
@@ -273,9 +268,8 @@ Diagnostics diagnose(const Description& description, const Plan& plan,
         const TargetHealth& root = rootOf(plan, health, *target);
         found.push_back(constantOutput(description, output.name, root.pass, valueText(*target)));
         const PlanPass* pass = findNamed(plan.passes, root.pass);
-        const std::string params = pass ? paramsRead(description, *pass) : "";
         found.back().help = "pass '" + root.pass + "' writes the same everywhere" +
-                            (params.empty() ? "" : "; it reads " + params);
+                            (pass ? paramsRead(description, *pass) : "");
     }
     return found;
 }

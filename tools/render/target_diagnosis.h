@@ -45,6 +45,9 @@ TargetHealth examine(const Image& drawn, const Image& redrawn);
 /// outside of [0, 1] or of half floats by more than rounding.
 void examineFloats(const Image& floats, Format stored, TargetHealth& health);
 
+/// Why the plan put a constant in the place of an output; empty where it does not know.
+std::string whyPlanned(const Plan& plan);
+
 /// The first pass that wrote what no pass should, as an error CV9001, CV9002 or CV9004 with the
 /// likely cause as help; then each output that is the same everywhere, as a warning CV9003.
 /// `health` holds every target that a pass of the plan writes, in the order of the passes. Empty

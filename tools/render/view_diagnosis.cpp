@@ -5,7 +5,9 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"
+#include "tools/commands/cli/output.h"
 #include "tools/render/scene/camera_framing.h"
+#include "tools/render/target_diagnosis.h"
 
 #include <glm/matrix.hpp>
 
@@ -29,26 +31,15 @@ double rounded(double value)
     return std::round(value / unit) * unit;
 }
 
-Diagnostic warningOf(Code code, std::string message, std::string help)
-{
-    Diagnostic warning = {code, std::move(message)};
-    warning.help = std::move(help);
-    warning.severity = Severity::warning;
-    return warning;
-}
-
 // What the plan itself knows to be constant.
 std::optional<Diagnostic> constantByPlan(const Plan& plan)
 {
     const PlanOutput* output = findNamed(plan.outputs, "ao");
     if (!output || output->constant < 0) return std::nullopt;
-    std::string why;
-    for (const Elided& each : plan.elided)
-        if (each.optimization == "no_op" || each.optimization == "condition")
-            why += (why.empty() ? "" : "; ") + each.what + " does not run: " + each.reason;
     const float value = plan.constants[output->constant].value;
     return warningOf(Code::output_constant,
-                     "the ambient occlusion is " + shortest(value) + " everywhere", why);
+                     "the ambient occlusion is " + shortest(value) + " everywhere",
+                     whyPlanned(plan));
 }
 
 bool isConstant(const Image& image)

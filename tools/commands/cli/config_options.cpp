@@ -84,15 +84,19 @@ std::string isCheckout(const std::string& folder)
 void addConfigOptions(CLI::App& app, ConfigOptions& options)
 {
     addVariantOption(app, options.variant);
-    app.add_option("--set", options.overrides,
-                   "Set a param or feature (radius=0.8), or any value by its JSON pointer "
-                   "(/passes/blur/when=null); may be repeated")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
+    addList(app, "--set", options.overrides, "NAME=VALUE",
+            "Set a param or feature (radius=0.8), or any value by its JSON pointer "
+            "(/passes/blur/when=null); may be repeated");
     addHostDepthOption(app, options.overrides);
     addCheckoutOption(app, options.checkout);
     addRootOption(app, options.roots);
     addLimitOption(app, options.limits);
+}
+
+CLI::Option* addList(CLI::App& app, const char* name, std::vector<std::string>& values,
+                     const char* kind, const std::string& about)
+{
+    return app.add_option(name, values, about)->type_name(kind)->allow_extra_args(false);
 }
 
 void addVariantOption(CLI::App& app, std::string& variant)
@@ -137,12 +141,10 @@ void addRootOption(CLI::App& app, std::vector<std::string>& roots)
         known->each([&roots](const std::string& folder) { roots.push_back(folder); });
         return;
     }
-    app.add_option("--root", roots,
-                   "Let configs and scenes read files below this folder too, beside those below "
-                   "their own; may be "
-                   "repeated")
-        ->type_name("FOLDER")
-        ->allow_extra_args(false)
+    addList(
+        app, "--root", roots, "FOLDER",
+        "Let configs and scenes read files below this folder too, beside those below their own; "
+        "may be repeated")
         ->check(CLI::ExistingDirectory);
 }
 
@@ -155,10 +157,8 @@ void addDisableOption(CLI::App& app, std::vector<std::string>& disable)
         listed += std::string(optimization.name) + ", ";
     }
     names.push_back("all");
-    app.add_option("--disable", disable,
-                   "Switch off an optimization: " + listed + "or all; may be repeated")
-        ->type_name("NAME")
-        ->allow_extra_args(false)
+    addList(app, "--disable", disable, "NAME",
+            "Switch off an optimization: " + listed + "or all; may be repeated")
         ->check(CLI::IsMember(names));
 }
 

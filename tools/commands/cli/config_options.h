@@ -10,7 +10,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace crevice {
 
@@ -29,6 +30,10 @@ LoadRequest requestOf(const ConfigOptions& options);
 /// Adds --variant, --set, --host-depth, --effects, --root and --limit; CONFIG is left to the
 /// command, since validate takes several.
 void addConfigOptions(CLI::App& app, ConfigOptions& options);
+
+/// Adds an option that may be repeated, each time with one value.
+CLI::Option* addList(CLI::App& app, const char* name, std::vector<std::string>& values,
+                     const char* kind, const std::string& about);
 
 /// Adds --variant alone.
 void addVariantOption(CLI::App& app, std::string& variant);

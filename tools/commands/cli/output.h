@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <utility>
 
 namespace crevice {
 
@@ -22,6 +23,12 @@ enum ExitCode {
     kExitDiffers = 5,
     kExitInterrupted = 130,  ///< `bench`: stopped by SIGINT or SIGTERM; can go on.
 };
+
+/// A diagnostic that is no error.
+inline Diagnostic warningOf(Code code, std::string message, std::string help)
+{
+    return {code, std::move(message), std::move(help), {}, {}, {}, Severity::warning};
+}
 
 /// The exit code that stands for the first error; kExitOk when there are only warnings.
 int exitCodeOf(const Diagnostics& diagnostics);

@@ -8,11 +8,10 @@ namespace {
 
 Diagnostic missing(const std::string& what)
 {
-    Diagnostic error = {Code::no_backend, what + ": glslang or SPIRV-Cross was not found"};
-    error.help =
+    return Diagnostic{
+        Code::no_backend, what + ": glslang or SPIRV-Cross was not found",
         "install them with 'apt-get install glslang-dev libspirv-cross-c-shared-dev' and "
-        "run cmake again";
-    return error;
+        "run cmake again"};
 }
 
 }  // namespace

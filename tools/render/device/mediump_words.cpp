@@ -52,7 +52,12 @@ private:
     Id rounded(Id value, Id result = 0);
     Id roundedInteger(Id value, Id type, Id result);
     Id roundedMatrix(Id value, Id type, Id result);
-    Id roundingFunction(Id type);
+    Id roundingFunction(Id type)
+    {
+        Id& function = rounding_functions_[type];
+        if (!function) function = out_.newId();
+        return function;
+    }
     void writeRoundingFunction(Id type, Id function);
 
     Id step(spv::Op op, Id type, const SpirvWords& operands)
@@ -65,10 +70,31 @@ private:
     }
     Id product(Id a, Id b) { return step(spv::OpFMul, out_.typeOf(a), {a, b}); }
     Id difference(Id a, Id b) { return step(spv::OpFSub, out_.typeOf(a), {a, b}); }
-    Id quotient(Id a, Id b);
-    Id scaled(Id vector, Id scalar);
-    Id dot(Id a, Id b);
-    Id length(Id vector);
+    Id quotient(Id a, Id b)
+    {
+        const Id type = out_.typeOf(b);
+        return product(a, step(spv::OpFDiv, type, {out_.constant(type, 1.0f), b}));
+    }
+    Id scaled(Id vector, Id scalar)
+    {
+        const Id type = out_.typeOf(vector);
+        if (type == out_.typeOf(scalar)) return product(vector, scalar);
+        return step(spv::OpVectorTimesScalar, type, {vector, scalar});
+    }
+    Id dot(Id a, Id b)
+    {
+        const SpirvShape shape = out_.shapeOf(out_.typeOf(a));
+        Id sum = product(out_.part(a, 0), out_.part(b, 0));
+        for (std::uint32_t i = 1; i < shape.count; ++i)
+            sum =
+                step(spv::OpFAdd, shape.element, {sum, product(out_.part(a, i), out_.part(b, i))});
+        return sum;
+    }
+    Id length(Id vector)
+    {
+        const Id squared = dot(vector, vector);
+        return step(GLSLstd450Sqrt, out_.typeOf(squared), {squared});
+    }
     Id matrixTimesVector(Id matrix, Id vector);
 
     std::vector<SpirvInstruction> original_;
@@ -186,35 +212,6 @@ Id MediumpRounder::computeExtended(const SpirvInstruction& instruction)
     default: return out_.emit(instruction.op, type, instruction.operands);
     }
 }
-
-Id MediumpRounder::quotient(Id a, Id b)
-{
-    const Id type = out_.typeOf(b);
-    return product(a, step(spv::OpFDiv, type, {out_.constant(type, 1.0f), b}));
-}
-
-Id MediumpRounder::scaled(Id vector, Id scalar)
-{
-    const Id type = out_.typeOf(vector);
-    if (type == out_.typeOf(scalar)) return product(vector, scalar);
-    return step(spv::OpVectorTimesScalar, type, {vector, scalar});
-}
-
-Id MediumpRounder::dot(Id a, Id b)
-{
-    const SpirvShape shape = out_.shapeOf(out_.typeOf(a));
-    Id sum = product(out_.part(a, 0), out_.part(b, 0));
-    for (std::uint32_t i = 1; i < shape.count; ++i)
-        sum = step(spv::OpFAdd, shape.element, {sum, product(out_.part(a, i), out_.part(b, i))});
-    return sum;
-}
-
-Id MediumpRounder::length(Id vector)
-{
-    const Id squared = dot(vector, vector);
-    return step(GLSLstd450Sqrt, out_.typeOf(squared), {squared});
-}
-
 Id MediumpRounder::matrixTimesVector(Id matrix, Id vector)
 {
     const std::uint32_t columns = out_.shapeOf(out_.typeOf(matrix)).count;
@@ -242,9 +239,8 @@ Id MediumpRounder::rounded(Id value, Id result)
 Id MediumpRounder::roundedInteger(Id value, Id type, Id result)
 {
     if (!out_.shapeOf(out_.shapeOf(type).element).is_signed)
-        return out_.emit(spv::OpBitwiseAnd, type, {value, out_.integerConstant(type, 0xffff)},
-                         result);
-    const Id shift = out_.integerConstant(type, 16);
+        return out_.emit(spv::OpBitwiseAnd, type, {value, out_.constant(type, 0xffffu)}, result);
+    const Id shift = out_.constant(type, 16u);
     const Id high = out_.emit(spv::OpShiftLeftLogical, type, {value, shift});
     return out_.emit(spv::OpShiftRightArithmetic, type, {high, shift}, result);
 }
@@ -256,14 +252,6 @@ Id MediumpRounder::roundedMatrix(Id value, Id type, Id result)
         columns.push_back(rounded(out_.part(value, i)));
     return out_.emit(spv::OpCompositeConstruct, type, columns, result);
 }
-
-Id MediumpRounder::roundingFunction(Id type)
-{
-    Id& function = rounding_functions_[type];
-    if (!function) function = out_.newId();
-    return function;
-}
-
 void MediumpRounder::writeRoundingFunction(Id type, Id function)
 {
     const SpirvShape shape = out_.shapeOf(type);

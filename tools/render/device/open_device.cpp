@@ -4,6 +4,7 @@
 
 #include <crevice/gl_device.h>
 
+#include "tools/commands/cli/output.h"
 #include "tools/render/device/mediump_device.h"
 
 #include <CLI/CLI.hpp>
@@ -21,26 +22,19 @@ Result<OpenDevice> openNamed(std::string_view backend, const GlDeviceOptions& op
     return {OpenDevice{std::move(*context), nullptr, std::move(*device)}, std::move(warnings)};
 }
 
-/// Both failed: EGL's error, with OSMesa's after it.
-Diagnostics neither(const Diagnostics& egl, const Diagnostics& osmesa)
-{
-    Diagnostics errors = egl;
-    errors.insert(errors.end(), osmesa.begin(), osmesa.end());
-    return errors;
-}
-
 Result<OpenDevice> openFirst(const GlDeviceOptions& options)
 {
     Result<OpenDevice> egl = openNamed("egl", options);
     if (egl) return egl;
+    Diagnostics both = egl.diagnostics();
     Result<OpenDevice> osmesa = openNamed("osmesa", options);
-    if (!osmesa) return neither(egl.diagnostics(), osmesa.diagnostics());
-    Diagnostic warning{Code::no_egl, "EGL cannot be used (" + egl.diagnostics().front().message +
-                                         "); drawing with OSMesa instead"};
-    warning.severity = Severity::warning;
-    warning.help = "write --backend osmesa to choose it without this warning";
+    append(both, osmesa.diagnostics());
+    if (!osmesa) return both;
     Diagnostics warnings = osmesa.diagnostics();
-    warnings.push_back(std::move(warning));
+    warnings.push_back(
+        warningOf(Code::no_egl,
+                  "EGL cannot be used (" + both.front().message + "); drawing with OSMesa instead",
+                  "write --backend osmesa to choose it without this warning"));
     return {std::move(*osmesa), std::move(warnings)};
 }
 

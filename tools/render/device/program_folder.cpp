@@ -2,6 +2,7 @@
 #include "tools/render/device/program_folder.h"
 
 #include "core/base/files.h"
+#include "tools/commands/cli/output.h"
 #include "tools/render/image/image_file.h"
 
 #include <unistd.h>
@@ -32,30 +33,20 @@ Result<std::unique_ptr<ProgramFolder>> ProgramFolder::open(const std::string& pa
 
 ProgramCache ProgramFolder::cache()
 {
-    return {[this](const std::string& key) { return load(key); },
-            [this](const std::string& key, const std::vector<std::uint8_t>& bytes) {
-                store(key, bytes);
-            }};
-}
-
-std::vector<std::uint8_t> ProgramFolder::load(const std::string& key)
-{
-    ++asked_;
-    const FileBytes file = readBytes((fs::path(path_) / key).string(), kMaxProgramBytes);
-    return {file.bytes.begin(), file.bytes.end()};
-}
-
-void ProgramFolder::store(const std::string& key, const std::vector<std::uint8_t>& bytes)
-{
-    ++stored_;
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    const Status written = writeFile((fs::path(path_) / key).string(), text);
-    if (written || !warnings_.empty()) return;
-    warnings_ = written.diagnostics();
-    for (Diagnostic& warning : warnings_) {
-        warning.severity = Severity::warning;
-        warning.help = "what is not written is compiled again next time";
-    }
+    const auto load = [this](const std::string& key) {
+        ++asked_;
+        const FileBytes file = readBytes((fs::path(path_) / key).string(), kMaxProgramBytes);
+        return std::vector<std::uint8_t>(file.bytes.begin(), file.bytes.end());
+    };
+    const auto store = [this](const std::string& key, const std::vector<std::uint8_t>& bytes) {
+        ++stored_;
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        const Status written = writeFile((fs::path(path_) / key).string(), text);
+        if (written || !warnings_.empty()) return;
+        warnings_ = {warningOf(Code::cannot_write, written.diagnostics().front().message,
+                               "what is not written is compiled again next time")};
+    };
+    return {load, store};
 }
 
 }  // namespace crevice

@@ -20,20 +20,14 @@ public:
     /// For a device that does not outlive this.
     ProgramCache cache();
 
-    int asked() const { return asked_; }  ///< Programs that were wanted so far.
-    int found() const
-    {
-        return asked_ - stored_;
-    }  ///< Of them those not compiled and stored again.
+    int asked() const { return asked_; }            ///< Programs that were wanted so far.
+    int found() const { return asked_ - stored_; }  ///< Those not compiled and stored again.
 
     /// That a program could not be written; once, however many.
     const Diagnostics& warnings() const { return warnings_; }
 
 private:
     explicit ProgramFolder(std::string path) : path_(std::move(path)) {}
-
-    std::vector<std::uint8_t> load(const std::string& key);
-    void store(const std::string& key, const std::vector<std::uint8_t>& bytes);
 
     std::string path_;
     int asked_ = 0;

@@ -122,16 +122,11 @@ SpirvId SpirvWriter::declare(spv::Op op, SpirvId type, const SpirvWords& operand
     return made.result;
 }
 
-SpirvId SpirvWriter::makeType(spv::Op op, const SpirvWords& operands)
-{
-    return declare(op, 0, operands);
-}
-
-SpirvId SpirvWriter::declareConstant(SpirvId type, std::uint32_t bits)
+SpirvId SpirvWriter::constant(SpirvId type, std::uint32_t bits)
 {
     const SpirvShape shape = shapeOf(type);
     if (shape.element == type) return declare(spv::OpConstant, type, {bits});
-    const SpirvId element = declareConstant(shape.element, bits);
+    const SpirvId element = constant(shape.element, bits);
     return declare(spv::OpConstantComposite, type, SpirvWords(shape.count, element));
 }
 
@@ -139,12 +134,7 @@ SpirvId SpirvWriter::constant(SpirvId type, float value)
 {
     std::uint32_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
-    return declareConstant(type, bits);
-}
-
-SpirvId SpirvWriter::integerConstant(SpirvId type, std::uint32_t value)
-{
-    return declareConstant(type, value);
+    return constant(type, bits);
 }
 
 SpirvWords SpirvWriter::words() const

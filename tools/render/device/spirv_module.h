@@ -57,10 +57,10 @@ public:
 
     /// Of `value` in every component.
     SpirvId constant(SpirvId type, float value);
-    SpirvId integerConstant(SpirvId type, std::uint32_t value);
+    SpirvId constant(SpirvId type, std::uint32_t bits);
 
     /// A type that the original may have, made where it has not.
-    SpirvId makeType(spv::Op op, const SpirvWords& operands);
+    SpirvId makeType(spv::Op op, const SpirvWords& operands) { return declare(op, 0, operands); }
 
     SpirvId newId() { return header_[3]++; }
 
@@ -69,7 +69,6 @@ public:
 private:
     void note(const SpirvInstruction& instruction);
     SpirvId declare(spv::Op op, SpirvId type, const SpirvWords& operands);
-    SpirvId declareConstant(SpirvId type, std::uint32_t bits);
 
     SpirvWords header_;
     SpirvWords declarations_;

@@ -44,9 +44,10 @@ Diagnostic cannotWrite(const std::string& path, const std::string& reason)
 constexpr double kMaxImageValues = 1 << 29;
 constexpr std::size_t kMaxImageBytes = (std::size_t(1) << 31) + 128;  // as floats, behind a header
 
-Diagnostic brokenImage(const std::string& name, const std::string& reason)
+Diagnostic brokenImage(const std::string& name, const std::string& reason, std::string help = {})
 {
-    return {Code::image_broken, "the image '" + name + "' cannot be read: " + reason};
+    return {Code::image_broken, "the image '" + name + "' cannot be read: " + reason,
+            std::move(help)};
 }
 
 // A new file in the folder, or -1. Names are tried until one is free: process ids come again, and
@@ -89,9 +90,9 @@ Status checkPixels(const std::string& path, const Image& image)
                                               std::to_string(image.channels) + " channels"};
 }
 
-float channelOr(const Image& image, int x, int y, int channel, float otherwise)
+float channelOrZero(const Image& image, int x, int y, int channel)
 {
-    return channel < image.channels ? image.at(x, y, channel) : otherwise;
+    return channel < image.channels ? image.at(x, y, channel) : 0.0f;
 }
 
 void appendBytes(void* context, void* data, int size)
@@ -167,15 +168,14 @@ Result<Image> decodePfm(std::string_view bytes, const std::string& name)
 }
 
 // stb gives rows from the top down.
-template <class T>
-Image imageFromRows(const T* rows, Extent extent, int channels, float full)
+Image imageFromRows(const stbi_us* rows, Extent extent, int channels)
 {
     Image image(extent, channels);
     const std::size_t row_size = static_cast<std::size_t>(extent.width) * channels;
     for (int y = 0; y < extent.height; ++y) {
-        const T* from = rows + (extent.height - 1 - y) * row_size;
+        const stbi_us* from = rows + (extent.height - 1 - y) * row_size;
         float* to = &image.pixels[y * row_size];
-        for (std::size_t k = 0; k < row_size; ++k) to[k] = from[k] / full;
+        for (std::size_t k = 0; k < row_size; ++k) to[k] = from[k] / 65535.0f;
     }
     return image;
 }
@@ -188,12 +188,11 @@ Status checkImageSize(const std::string& name, Extent extent, int channels, doub
 {
     const double limit = std::min(kMaxImageValues / channels, std::floor(most_pixels));
     if (static_cast<double>(extent.width) * extent.height <= limit) return {};
-    Diagnostic error = brokenImage(
-        name, "it is " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
-                  " pixels, more than the " + std::to_string(static_cast<long long>(limit)) +
-                  " that it may have here");
-    error.help = "scale it down";
-    return error;
+    return brokenImage(name,
+                       "it is " + std::to_string(extent.width) + "x" +
+                           std::to_string(extent.height) + " pixels, more than the " +
+                           std::to_string(static_cast<long long>(limit)) + " that it may have here",
+                       "scale it down");
 }
 
 Result<Image> decodeByStb(std::string_view bytes, const std::string& name, double most_pixels)
@@ -205,16 +204,11 @@ Result<Image> decodeByStb(std::string_view bytes, const std::string& name, doubl
     if (stbi_info_from_memory(data, size, &extent.width, &extent.height, &channels))
         if (const Status fits = checkImageSize(name, extent, channels, most_pixels); !fits)
             return fits.diagnostics();
-    if (stbi_is_16_bit_from_memory(data, size)) {
-        const std::unique_ptr<stbi_us, StbFree> rows(
-            stbi_load_16_from_memory(data, size, &extent.width, &extent.height, &channels, 0));
-        if (rows) return imageFromRows(rows.get(), extent, channels, 65535.0f);
-    } else {
-        const std::unique_ptr<stbi_uc, StbFree> rows(
-            stbi_load_from_memory(data, size, &extent.width, &extent.height, &channels, 0));
-        if (rows) return imageFromRows(rows.get(), extent, channels, 255.0f);
-    }
-    return brokenImage(name, stbi_failure_reason());
+    // Of 8 bits it makes the 257-fold, which is the same part of the whole.
+    const std::unique_ptr<stbi_us, StbFree> rows(
+        stbi_load_16_from_memory(data, size, &extent.width, &extent.height, &channels, 0));
+    if (!rows) return brokenImage(name, stbi_failure_reason());
+    return imageFromRows(rows.get(), extent, channels);
 }
 
 }  // namespace
@@ -277,7 +271,7 @@ Status writePng(const std::string& path, const Image& image)
     for (int y = image.extent.height - 1; y >= 0; --y)
         for (int x = 0; x < image.extent.width; ++x)
             for (int channel = 0; channel < channels; ++channel) {
-                const float value = channelOr(image, x, y, channel, 0.0f);
+                const float value = channelOrZero(image, x, y, channel);
                 undefined |= std::isnan(value);
                 const float shown = std::isnan(value) ? 0.0f : std::clamp(value, 0.0f, 1.0f);
                 rows.push_back(static_cast<unsigned char>(std::lround(shown * 255.0f)));
@@ -303,7 +297,7 @@ std::string pfmBytes(const Image& image)
     for (int y = 0; y < image.extent.height; ++y)
         for (int x = 0; x < image.extent.width; ++x)
             for (int channel = 0; channel < channels; ++channel)
-                appendFloat(bytes, channelOr(image, x, y, channel, 0.0f));
+                appendFloat(bytes, channelOrZero(image, x, y, channel));
     return bytes;
 }
 

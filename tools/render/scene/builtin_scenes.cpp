@@ -50,12 +50,10 @@ Result<MeshDesc> loadBunny()
         if (!bunny) return bunny.diagnostics();
         return std::move(bunny->meshes[bunny->instances.front().mesh]);
     }
-    Diagnostic error = {Code::scene_missing,
-                        "the scene 'room' needs the model 'bunny.obj', which was not found"};
-    error.help =
-        "install it with 'apt-get install glmark2-data', name its folder in "
-        "CREVICE_MODELS, or take the scene 'spheres'";
-    return error;
+    return Diagnostic{Code::scene_missing,
+                      "the scene 'room' needs the model 'bunny.obj', which was not found",
+                      "install it with 'apt-get install glmark2-data', name its folder in "
+                      "CREVICE_MODELS, or take the scene 'spheres'"};
 }
 
 // Walls meet edge to edge and stand on a floor that is a little wider, and deeper in it than the

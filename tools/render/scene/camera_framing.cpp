@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace crevice {
 
@@ -65,46 +67,37 @@ struct SeenCorners {
     }
 };
 
-// What the text of a camera says, before it is made into one.
+// What the text of a camera may say, and how many numbers each part has.
+constexpr std::pair<const char*, int> kParts[] = {{"eye", 3},  {"at", 3},    {"up", 3},
+                                                  {"fov", 1},  {"ortho", 1}, {"shift", 2},
+                                                  {"near", 1}, {"far", 1}};
+
+// What it says, by name.
 struct CameraText {
-    glm::dvec3 eye = glm::dvec3(0.0);
-    bool has_eye = false;
-    glm::dvec3 at = glm::dvec3(0.0);
-    glm::dvec3 up = {0, 1, 0};
-    double fov = kDefaultFov;
-    bool has_fov = false;
-    double ortho = 0.0;
-    bool has_ortho = false;
-    glm::dvec2 shift = glm::dvec2(0.0);
-    double near_distance = 0.0;
-    bool has_near = false;
-    double far_distance = 0.0;
-    bool has_far = false;
+    std::map<std::string, glm::dvec3> parts = {};
+
+    bool has(const char* part) const { return parts.count(part) > 0; }
+    glm::dvec3 get(const char* part, const glm::dvec3& otherwise) const
+    {
+        return has(part) ? parts.at(part) : otherwise;
+    }
+    double number(const char* part) const { return get(part, glm::dvec3(0.0)).x; }
 };
 
 Diagnostic unreadable(const std::string& what)
 {
-    Diagnostic error = {Code::usage, what};
-    error.help =
-        "write --camera 'eye=4,2,6;at=0,1,0;fov=50'; up, ortho, shift, near and far may "
-        "follow";
-    return error;
-}
-
-Diagnostic impossible(Code code, const std::string& what, const std::string& help)
-{
-    Diagnostic error = {code, what};
-    error.help = help;
-    return error;
+    return {Code::usage, what,
+            "write --camera 'eye=4,2,6;at=0,1,0;fov=50'; up, ortho, shift, near and far may "
+            "follow"};
 }
 
 Diagnostic impossible(const std::string& what, const std::string& help)
 {
-    return impossible(Code::out_of_range, what, help);
+    return {Code::out_of_range, what, help};
 }
 
 // Reads `count` numbers with commas between them.
-Status readNumbers(const std::string& key, const std::string& text, int count, double* numbers)
+Status readNumbers(const std::string& key, const std::string& text, int count, glm::dvec3& numbers)
 {
     std::string_view rest = text;
     for (int k = 0; k < count; ++k) {
@@ -118,76 +111,22 @@ Status readNumbers(const std::string& key, const std::string& text, int count, d
         if (!last) rest.remove_prefix(1);
         numbers[k] = *number;
         if (!std::isfinite(numbers[k]))
-            return impossible(Code::not_finite,
+            return Diagnostic{Code::not_finite,
                               "the camera's " + key + " '" + text + "' is not finite",
-                              "write plain numbers");
+                              "write plain numbers"};
     }
     return {};
 }
 
 Status readEntry(const std::string& key, const std::string& value, CameraText& camera)
 {
-    struct Known {
-        const char* name;
-        int count;
-        double* numbers;
-        bool* given;
-    };
-    bool ignored = false;
-    const Known known[] = {{"eye", 3, &camera.eye.x, &camera.has_eye},
-                           {"at", 3, &camera.at.x, &ignored},
-                           {"up", 3, &camera.up.x, &ignored},
-                           {"fov", 1, &camera.fov, &camera.has_fov},
-                           {"ortho", 1, &camera.ortho, &camera.has_ortho},
-                           {"shift", 2, &camera.shift.x, &ignored},
-                           {"near", 1, &camera.near_distance, &camera.has_near},
-                           {"far", 1, &camera.far_distance, &camera.has_far}};
     std::vector<std::string> names;
-    for (const Known& entry : known) {
-        names.push_back(entry.name);
-        if (key != entry.name) continue;
-        *entry.given = true;
-        return readNumbers(key, value, entry.count, entry.numbers);
+    for (const auto& [name, count] : kParts) {
+        if (key == name) return readNumbers(key, value, count, camera.parts[key]);
+        names.push_back(name);
     }
-    Diagnostic error = {Code::usage, "a camera has no '" + key + "'"};
-    error.help = suggestName(key, names, "parts of a camera");
-    return error;
-}
-
-Status readCameraText(const std::string& text, CameraText& camera)
-{
-    for (const std::string_view part : split(text, ';')) {
-        if (part.empty()) continue;
-        const std::string entry(part);
-        const std::size_t equals = entry.find('=');
-        if (equals == std::string::npos)
-            return unreadable("the camera's part '" + entry + "' is not name=value");
-        const std::string key = entry.substr(0, equals);
-        const Status status = readEntry(key, entry.substr(equals + 1), camera);
-        if (!status) return status;
-    }
-    return {};
-}
-
-Status checkCamera(const CameraText& camera)
-{
-    if (!camera.has_eye) return unreadable("the camera has no eye");
-    if (camera.eye == camera.at)
-        return impossible("the camera's eye is where it looks at", "move eye or at");
-    if (camera.has_fov && camera.has_ortho) return unreadable("the camera has both fov and ortho");
-    if (!(camera.fov > 0.0 && camera.fov < 180.0))
-        return impossible("the camera's fov is outside (0, 180) degrees", "50 is a common one");
-    if (camera.has_ortho && !(camera.ortho > 0.0))
-        return impossible("the camera's ortho height is not above 0", "give it in scene units");
-    if (camera.has_near && !(camera.near_distance > 0.0) && !camera.has_ortho)
-        return impossible("the camera's near distance is not above 0",
-                          "leave it out to fit the scene");
-    if (camera.has_far && !(camera.far_distance > camera.near_distance))
-        return impossible("the camera's far distance is not above the near one",
-                          "leave it out to fit the scene");
-    if (camera.has_far && !camera.has_near)
-        return impossible("the camera has a far distance and no near one", "give near as well");
-    return {};
+    return Diagnostic{Code::usage, "a camera has no '" + key + "'",
+                      suggestName(key, names, "parts of a camera")};
 }
 
 // Any direction will do where the wanted one runs along the view.
@@ -200,22 +139,51 @@ glm::dmat4 lookAt(const glm::dvec3& eye, const glm::dvec3& at, glm::dvec3 up)
     return glm::lookAt(eye, at, up);
 }
 
+Result<SceneCamera> cameraOf(const std::string& name, const CameraText& text, const Bounds& bounds)
+{
+    if (!text.has("eye")) return unreadable("the camera has no eye");
+    const glm::dvec3 eye = text.get("eye", {}), at = text.get("at", bounds.center());
+    if (eye == at) return impossible("the camera's eye is where it looks at", "move eye or at");
+    SceneCamera camera;
+    camera.name = name;
+    camera.orthographic = text.has("ortho");
+    if (text.has("fov") && camera.orthographic)
+        return unreadable("the camera has both fov and ortho");
+    const double fov = text.get("fov", glm::dvec3(kDefaultFov)).x;
+    if (!(fov > 0.0 && fov < 180.0))
+        return impossible("the camera's fov is outside (0, 180) degrees", "50 is a common one");
+    if (camera.orthographic && !(text.number("ortho") > 0.0))
+        return impossible("the camera's ortho height is not above 0", "give it in scene units");
+    camera.near_distance = text.number("near");
+    camera.far_distance = text.number("far");
+    if (text.has("near") && !(camera.near_distance > 0.0) && !camera.orthographic)
+        return impossible("the camera's near distance is not above 0",
+                          "leave it out to fit the scene");
+    if (text.has("far") && !(camera.far_distance > camera.near_distance))
+        return impossible("the camera's far distance is not above the near one",
+                          "leave it out to fit the scene");
+    if (text.has("far") && !text.has("near"))
+        return impossible("the camera has a far distance and no near one", "give near as well");
+    camera.view_from_world = lookAt(eye, at, text.get("up", {0, 1, 0}));
+    if (camera.orthographic) camera.half_height = text.number("ortho") / 2.0;
+    camera.fov_y_rad = fov * kDegree;
+    camera.shift = text.get("shift", glm::dvec3(0.0));
+    return camera;
+}
+
 Result<SceneCamera> parseCamera(const std::string& text, const Bounds& bounds)
 {
-    CameraText parts;
-    parts.at = bounds.center();
-    if (Status status = readCameraText(text, parts); !status) return status.diagnostics();
-    if (Status status = checkCamera(parts); !status) return status.diagnostics();
-    SceneCamera camera;
-    camera.name = text;
-    camera.view_from_world = lookAt(parts.eye, parts.at, parts.up);
-    camera.orthographic = parts.has_ortho;
-    camera.half_height = parts.has_ortho ? parts.ortho / 2.0 : camera.half_height;
-    camera.fov_y_rad = parts.fov * kDegree;
-    camera.shift = parts.shift;
-    camera.near_distance = parts.near_distance;
-    camera.far_distance = parts.far_distance;
-    return camera;
+    CameraText camera;
+    for (const std::string_view part : split(text, ';')) {
+        if (part.empty()) continue;
+        const std::string entry(part);
+        const std::size_t equals = entry.find('=');
+        if (equals == std::string::npos)
+            return unreadable("the camera's part '" + entry + "' is not name=value");
+        const Status status = readEntry(entry.substr(0, equals), entry.substr(equals + 1), camera);
+        if (!status) return status.diagnostics();
+    }
+    return cameraOf(text, camera, bounds);
 }
 
 }  // namespace
@@ -251,10 +219,9 @@ Result<SceneCamera> chooseCamera(const Scene& scene, const Bounds& bounds, const
         names.push_back(camera.name);
     }
     if (text.find('=') != std::string::npos) return parseCamera(text, bounds);
-    Diagnostic error = {Code::camera_missing,
-                        "the scene '" + scene.name + "' has no camera '" + text + "'"};
-    error.help = suggestName(text, names, "cameras") + "; or write eye=4,2,6;at=0,1,0;fov=50";
-    return error;
+    return Diagnostic{Code::camera_missing,
+                      "the scene '" + scene.name + "' has no camera '" + text + "'",
+                      suggestName(text, names, "cameras") + "; or write eye=4,2,6;at=0,1,0;fov=50"};
 }
 
 }  // namespace crevice

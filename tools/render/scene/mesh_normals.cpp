@@ -4,6 +4,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -30,9 +31,12 @@ constexpr double kWeld = 1e-5;
 
 using Indices = std::vector<std::uint32_t>;
 
-glm::dvec3 positionOf(const Vertex& vertex)
+glm::dvec3 positionOf(const Vertex& vertex) { return glm::make_vec3(vertex.position); }
+
+// Along the normal of the triangle, and twice as long as its area is large.
+glm::dvec3 areaOf(const Vertex& a, const Vertex& b, const Vertex& c)
 {
-    return {vertex.position[0], vertex.position[1], vertex.position[2]};
+    return glm::cross(positionOf(b) - positionOf(a), positionOf(c) - positionOf(a));
 }
 
 void setNormal(Vertex& vertex, const glm::dvec3& normal)
@@ -89,11 +93,8 @@ std::vector<glm::dvec3> faceNormals(const std::vector<Vertex>& corners)
 {
     std::vector<glm::dvec3> normals;
     normals.reserve(corners.size() / 3);
-    for (std::size_t first = 0; first + 2 < corners.size(); first += 3) {
-        const glm::dvec3 origin = positionOf(corners[first]);
-        normals.push_back(unit(glm::cross(positionOf(corners[first + 1]) - origin,
-                                          positionOf(corners[first + 2]) - origin)));
-    }
+    for (std::size_t first = 0; first + 2 < corners.size(); first += 3)
+        normals.push_back(unit(areaOf(corners[first], corners[first + 1], corners[first + 2])));
     return normals;
 }
 
@@ -201,9 +202,8 @@ std::vector<Surface> surfacesOf(const MeshDesc& mesh, const Indices& positions)
     Indices kept;
     for (std::size_t first = 0; first + 2 < positions.size(); first += 3) {
         const std::uint32_t* at = &positions[first];
-        const glm::dvec3 a = positionOf(mesh.vertices[at[0]]);
-        const double area = 0.5 * glm::length(glm::cross(positionOf(mesh.vertices[at[1]]) - a,
-                                                         positionOf(mesh.vertices[at[2]]) - a));
+        const double area = 0.5 * glm::length(areaOf(mesh.vertices[at[0]], mesh.vertices[at[1]],
+                                                     mesh.vertices[at[2]]));
         if (!(area > 0.0)) continue;
         kept.insert(kept.end(), at, at + 3);
         areas.push_back(area);
@@ -245,12 +245,9 @@ void windByNormals(MeshDesc& mesh)
     for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
         const Vertex* corners[3];
         for (std::size_t k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[first + k]];
-        const glm::dvec3 origin = positionOf(*corners[0]);
-        const glm::dvec3 area =
-            glm::cross(positionOf(*corners[1]) - origin, positionOf(*corners[2]) - origin);
+        const glm::dvec3 area = areaOf(*corners[0], *corners[1], *corners[2]);
         for (const Vertex* corner : corners)
-            facing +=
-                glm::dot(area, glm::dvec3(corner->normal[0], corner->normal[1], corner->normal[2]));
+            facing += glm::dot(area, glm::dvec3(glm::make_vec3(corner->normal)));
     }
     if (!(facing < 0)) return;
     for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3)
@@ -263,9 +260,7 @@ void fillNormals(MeshDesc& mesh)
         Vertex* corners[3];
         for (int k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[first + k]];
         if (hasNormal(*corners[0]) && hasNormal(*corners[1]) && hasNormal(*corners[2])) continue;
-        const glm::dvec3 origin = positionOf(*corners[0]);
-        const glm::dvec3 normal =
-            unit(glm::cross(positionOf(*corners[1]) - origin, positionOf(*corners[2]) - origin));
+        const glm::dvec3 normal = unit(areaOf(*corners[0], *corners[1], *corners[2]));
         for (Vertex* corner : corners)
             if (!hasNormal(*corner)) setNormal(*corner, normal);
     }

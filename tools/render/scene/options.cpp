@@ -64,11 +64,10 @@ Result<Extent> parseSize(const std::string& text)
         separated ? std::from_chars(width.ptr + 1, end, extent.height) : std::from_chars_result{};
     const bool whole = separated && height.ec == std::errc() && height.ptr == end;
     if (whole && extent.width > 0 && extent.height > 0) return extent;
-    Diagnostic error{Code::bad_size,
-                     whole ? "the size '" + text + "' is not positive in both directions"
-                           : "the size '" + text + "' is not two whole numbers, WIDTHxHEIGHT"};
-    error.help = "write two numbers above 0 with a small x between: --size 960x540";
-    return error;
+    return Diagnostic{Code::bad_size,
+                      whole ? "the size '" + text + "' is not positive in both directions"
+                            : "the size '" + text + "' is not two whole numbers, WIDTHxHEIGHT",
+                      "write two numbers above 0 with a small x between: --size 960x540"};
 }
 
 Result<SceneView> loadSceneView(const SceneOptions& options)

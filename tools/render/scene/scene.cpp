@@ -3,6 +3,7 @@
 #include "tools/render/scene/scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +76,7 @@ MeshCorners::MeshCorners(const MeshDesc& mesh)
     for (const std::uint32_t index : mesh.indices) {
         if (used[index]) continue;
         used[index] = true;
-        const float* p = mesh.vertices[index].position;
-        places.emplace_back(p[0], p[1], p[2]);
+        places.push_back(glm::make_vec3(mesh.vertices[index].position));
         box.add(places.back());
     }
 }

@@ -14,24 +14,10 @@ namespace {
 constexpr std::uint32_t kMagic = 0x73767263;
 constexpr std::uint32_t kVersion = 1;
 
-class BytesWriter {
-public:
-    void bytes(const void* data, std::size_t size)
-    {
-        if (size > 0) written_.append(static_cast<const char*>(data), size);
-    }
-    bool holds(std::uint64_t) const { return true; }
-    std::string take() { return std::move(written_); }
-
-private:
-    std::string written_;
-};
-
 Diagnostic broken(const std::string& reason)
 {
-    Diagnostic error = {Code::scene_broken, "the bytes of a scene cannot be read: " + reason};
-    error.help = "write and read them with the same version of crevice";
-    return error;
+    return Diagnostic{Code::scene_broken, "the bytes of a scene cannot be read: " + reason,
+                      "write and read them with the same version of crevice"};
 }
 
 template <class List>

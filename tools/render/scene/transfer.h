@@ -10,10 +10,24 @@
 
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
 namespace crevice {
+
+class BytesWriter {
+public:
+    void bytes(const void* data, std::size_t size)
+    {
+        if (size > 0) written_.append(static_cast<const char*>(data), size);
+    }
+    bool holds(std::uint64_t) const { return true; }
+    std::string take() { return std::move(written_); }
+
+private:
+    std::string written_;
+};
 
 /// Receives what lies in memory, which must outlive it. After a failure every further byte is 0.
 class BytesReader {

@@ -3,7 +3,6 @@
 #include "tools/render/scene/views.h"
 
 #include "tools/render/image/image_file.h"
-#include "tools/render/scene/lights.h"
 
 #include <assimp/scene.h>
 #include <assimp/version.h>
@@ -92,6 +91,40 @@ SceneLight lightFrom(const aiLight& from, const NodePlaces& places)
     light.light.attenuation = {from.mAttenuationConstant, from.mAttenuationLinear,
                                from.mAttenuationQuadratic};
     return light;
+}
+
+// A light nearer to the scene's centre than this part of its size counts as that far away.
+constexpr double kLeastLightDistance = 0.05;
+
+// 1 / attenuation at the centre of the scene.
+double dimming(const Light& light, const Bounds& bounds)
+{
+    if (light.directional) return 1.0;
+    const double distance = std::max(glm::length(light.position - bounds.center()),
+                                     kLeastLightDistance * bounds.diagonal());
+    const glm::dvec3 a = light.attenuation;
+    const double divisor = a.x + a.y * distance + a.z * distance * distance;
+    return divisor > 0.0 && std::isfinite(divisor) ? divisor : 1.0;
+}
+
+// Lights that are off stay so; where what one brings is no number, all go.
+void normalizeLights(Scene& scene)
+{
+    std::vector<SceneLight>& lights = scene.lights;
+    const Bounds bounds = scene.bounds();
+    double brightest = 0.0;
+    for (SceneLight& each : lights) {
+        Light& light = each.light;
+        const double divisor = dimming(light, bounds);
+        light.attenuation = light.directional ? glm::vec3(1, 0, 0)
+                                              : glm::vec3(glm::dvec3(light.attenuation) / divisor);
+        if (light.attenuation == glm::vec3(0.0f)) light.attenuation.x = 1.0f;
+        light.color = glm::max(glm::vec3(glm::dvec3(light.color) / divisor), glm::vec3(0.0f));
+        brightest = std::max<double>({brightest, light.color.r, light.color.g, light.color.b});
+    }
+    if (!std::isfinite(brightest)) return lights.clear();
+    for (SceneLight& each : lights)
+        if (brightest > 0.0) each.light.color /= static_cast<float>(brightest);
 }
 
 }  // namespace

@@ -20,10 +20,9 @@ bool isGltf(const std::string& path);
 void importCameras(const aiScene& from, const std::string& path, const NodePlaces& places,
                    Scene& scene);
 
-/// Appends point, spot (as point) and directional lights. Files give candela, lux, watts or plain
-/// fractions; here a colour is what arrives at the centre of the scene, relative to what the
-/// brightest light brings there (whose largest channel is 1). Needs the scene's meshes and
-/// instances.
+/// Appends point, spot and directional lights. Files give candela, lux, watts or plain fractions;
+/// here a colour is what arrives at the centre of the scene, relative to what the brightest light
+/// brings there (whose largest channel is 1). Needs the scene's meshes and instances.
 void importLights(const aiScene& from, const NodePlaces& places, Scene& scene);
 
 }  // namespace crevice

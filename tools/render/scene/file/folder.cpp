@@ -3,6 +3,7 @@
 #include "tools/render/scene/file/folder.h"
 
 #include "core/base/text.h"
+#include "tools/commands/cli/output.h"
 
 #include <algorithm>
 
@@ -57,13 +58,12 @@ void SceneFolder::opens(const fs::path& file)
 Diagnostic SceneFolder::warning() const
 {
     const std::vector<std::string> files(refused_.begin(), refused_.end());
-    Diagnostic warning = {Code::module_escape, "the scene '" + scene_ +
-                                                   "' names files outside its "
-                                                   "folder, which are not read: " +
-                                                   joined(files)};
-    warning.help = "move them below the scene's folder, or allow theirs with --root FOLDER";
-    warning.severity = Severity::warning;
-    return warning;
+    return warningOf(Code::module_escape,
+                     "the scene '" + scene_ +
+                         "' names files outside its "
+                         "folder, which are not read: " +
+                         joined(files),
+                     "move them below the scene's folder, or allow theirs with --root FOLDER");
 }
 
 }  // namespace crevice

@@ -4,6 +4,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "tools/commands/cli/output.h"
 #include "tools/render/scene/file/limits.h"
 
 #include <nlohmann/json.hpp>
@@ -241,11 +242,10 @@ Status required(const std::string& path, const std::set<std::string>& extensions
             ways_out.push_back(extension.way_out);
     }
     if (missing.empty()) return {};
-    Diagnostic error = {Code::scene_broken,
-                        "the scene '" + path + "' needs " + joined(missing, " and ") +
-                            (missing.size() == 1 ? ", which is not read" : ", which are not read")};
-    error.help = joined(ways_out, "; ");
-    return error;
+    return Diagnostic{Code::scene_broken,
+                      "the scene '" + path + "' needs " + joined(missing, " and ") +
+                          (missing.size() == 1 ? ", which is not read" : ", which are not read"),
+                      joined(ways_out, "; ")};
 }
 
 }  // namespace
@@ -262,10 +262,10 @@ Status checkGltf(const std::string& path, bool any_version)
     if (!fits) return fits;
     const json& version = member(member(gltf, "asset"), "version");
     if (!any_version && version.is_string() && !startsWith(version.get<std::string>(), "2.")) {
-        Diagnostic error = {Code::scene_broken, "the scene '" + path + "' is of glTF " +
-                                                    version.get<std::string>() + ", not 2.0"};
-        error.help = "convert it to glTF 2.0, or try --any-format";
-        return error;
+        return Diagnostic{
+            Code::scene_broken,
+            "the scene '" + path + "' is of glTF " + version.get<std::string>() + ", not 2.0",
+            "convert it to glTF 2.0, or try --any-format"};
     }
     std::set<std::string> needed = names(member(gltf, "extensionsRequired"));
     if (takesIntegers(gltf, "POSITION") || takesIntegers(gltf, "NORMAL"))
@@ -281,13 +281,10 @@ Status checkGltf(const std::string& path, bool any_version)
         elided.push_back("texture coordinates that are not floats");
     if (takesSecondCoordinates(gltf)) elided.push_back("the second set of texture coordinates");
     if (elided.empty()) return {};
-    Diagnostic warning = {Code::scene_features,
-                          "the scene '" + path + "' is drawn without " + joined(elided)};
-    warning.help =
+    return warningOf(
+        Code::scene_features, "the scene '" + path + "' is drawn without " + joined(elided),
         "ambient occlusion needs none of it where surfaces and holes in them are right; compare "
-        "the picture with another viewer's";
-    warning.severity = Severity::warning;
-    return warning;
+        "the picture with another viewer's");
 }
 
 }  // namespace crevice

@@ -5,6 +5,7 @@
 #include "core/base/files.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "tools/commands/cli/output.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/file/folder.h"
 #include "tools/render/scene/file/gltf_check.h"
@@ -19,6 +20,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +59,7 @@ bool isDefaultExtension(std::string_view extension)
 
 glm::dmat4 matrixFrom(const aiMatrix4x4& m)  // Assimp's has rows, ours columns
 {
-    return glm::dmat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4,
-                      m.b4, m.c4, m.d4);
+    return glm::transpose(glm::make_mat4(&m.a1));
 }
 
 bool usable(const aiVector3D& v)
@@ -133,10 +134,8 @@ MeshDesc meshFrom(const aiMesh& from, double crease_degrees)
 
 bool finite(const glm::dmat4& matrix)
 {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(matrix[column][row])) return false;
-    return true;
+    const double* const begin = glm::value_ptr(matrix);
+    return std::all_of(begin, begin + 16, [](double each) { return std::isfinite(each); });
 }
 
 // Flattens the hierarchy. A stack of its own: a file may nest deeper than the program's.
@@ -165,10 +164,10 @@ NodePlaces importNodes(const aiScene& from, Scene& scene)
 
 Diagnostic noTriangle(const std::string& path, unsigned dropped)
 {
-    Diagnostic error = {Code::scene_empty, "the scene '" + path + "' has no triangle with an area"};
-    if (dropped > 0) error.message += " and finite vertices";
-    error.help = "points and lines cast no occlusion; export the scene with its faces";
-    return error;
+    return {Code::scene_empty,
+            "the scene '" + path + "' has no triangle with an area" +
+                (dropped > 0 ? " and finite vertices" : ""),
+            "points and lines cast no occlusion; export the scene with its faces"};
 }
 
 // Faces that enclose an area.
@@ -186,8 +185,7 @@ bool hasArea(const Scene& scene)
     for (const SceneInstance& instance : scene.instances) {
         const MeshDesc& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const auto placed = [&](std::uint32_t index) {
-            const float* p = mesh.vertices[index].position;
-            return instance.place({p[0], p[1], p[2]});
+            return instance.place(glm::make_vec3(mesh.vertices[index].position));
         };
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
             const glm::dvec3 corner = placed(mesh.indices[i]);
@@ -309,16 +307,6 @@ Diagnostic failureOf(const Assimp::Importer& importer, const std::string& path,
     return error;
 }
 
-Diagnostic elidedFaces(const std::string& path, unsigned dropped)
-{
-    Diagnostic warning = {Code::not_finite, "the scene '" + path + "' has " +
-                                                std::to_string(dropped) +
-                                                " faces with vertices that are not finite"};
-    warning.help = "they are left out";
-    warning.severity = Severity::warning;
-    return warning;
-}
-
 Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options,
                            Diagnostics warnings)
 {
@@ -339,7 +327,11 @@ Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options
     if (!fits) return fits.diagnostics();
     limitSelf(readerLimits(kAnySize, options));  // what follows is our own, and bounded
 
-    if (dropped > 0) warnings.push_back(elidedFaces(path, dropped));
+    if (dropped > 0)
+        warnings.push_back(warningOf(Code::not_finite,
+                                     "the scene '" + path + "' has " + std::to_string(dropped) +
+                                         " faces with vertices that are not finite",
+                                     "they are left out"));
     Scene result = sceneFrom(*scene, path, folder, warnings);
     if (folder.refusedAny()) warnings.push_back(folder.warning());
     if (!hasArea(result)) return noTriangle(path, dropped);
@@ -375,21 +367,20 @@ Status checkPly(const std::string& path)
 
 }  // namespace
 
-const char* const kSceneFormats = "scenes are glTF 2.0 (.gltf, .glb), OBJ, PLY, STL or 3DS";
-
 bool isDefaultFormat(const std::string& path)
 {
     const std::string extension = lowerExtension(path);
     return !extension.empty() && isDefaultExtension(std::string_view(extension).substr(1));
 }
 
-Diagnostic brokenScene(const std::string& path, const std::string& reason)
+Diagnostic brokenScene(const std::string& path, const std::string& reason, std::string help)
 {
-    Diagnostic error = {Code::scene_broken, "the scene '" + path + "' cannot be read: " +
-                                                std::string(utf8Prefix(reason, kLongestReason))};
+    Diagnostic error = {Code::scene_broken,
+                        "the scene '" + path +
+                            "' cannot be read: " + std::string(utf8Prefix(reason, kLongestReason)),
+                        std::move(help)};
     while (!error.message.empty() && (error.message.back() == '.' || error.message.back() == '\n'))
         error.message.pop_back();
-    error.help = kSceneFormats;
     return error;
 }
 

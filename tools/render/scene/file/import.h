@@ -7,13 +7,14 @@
 namespace crevice {
 
 /// What a message may suggest instead of a file that cannot be read.
-extern const char* const kSceneFormats;
+constexpr const char* kSceneFormats = "scenes are glTF 2.0 (.gltf, .glb), OBJ, PLY, STL or 3DS";
 
 /// Whether the file's extension is that of a format that is read unless any is asked for.
 bool isDefaultFormat(const std::string& path);
 
 /// CV7002.
-Diagnostic brokenScene(const std::string& path, const std::string& reason);
+Diagnostic brokenScene(const std::string& path, const std::string& reason,
+                       std::string help = kSceneFormats);
 
 /// Requires a regular file. Throws what Assimp throws; Assimp may assert, crash, hang or fill the
 /// memory. Errors: CV7002, CV7003.

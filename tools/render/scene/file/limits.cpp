@@ -57,12 +57,11 @@ ChildLimits readerLimits(std::uint64_t bytes, const ImportOptions& options)
 Diagnostic overLimit(const std::string& path, const std::string& what, double count, double limit,
                      std::uint64_t bytes)
 {
-    Diagnostic error = {Code::scene_broken,
-                        "the scene '" + path + "' has " + significant(count, 15) + " " + what +
-                            ", and " + std::to_string(bytes) + " bytes of files may have " +
-                            significant(std::floor(limit), 15)};
-    error.help = "it may claim more than it holds; export it once more, smaller or in parts";
-    return error;
+    return Diagnostic{Code::scene_broken,
+                      "the scene '" + path + "' has " + significant(count, 15) + " " + what +
+                          ", and " + std::to_string(bytes) + " bytes of files may have " +
+                          significant(std::floor(limit), 15),
+                      "it may claim more than it holds; export it once more, smaller or in parts"};
 }
 
 }  // namespace crevice

@@ -127,39 +127,15 @@ std::optional<Result<Image>> readTexture(const aiScene& from, const std::string&
 }
 
 // Reads each texture once, whichever materials use it.
-class TextureImport {
-public:
-    TextureImport(const aiScene& from, const std::string& path, SceneFolder& folder, Scene& scene,
-                  Diagnostics& warnings)
-        : from_(from),
-          path_(path),
-          folder_(folder),
-          scene_(scene),
-          warnings_(warnings)
-    {
-    }
-
-    /// Index of the material's base-colour texture; -1 when it has none that can be read.
-    int baseColor(const aiMaterial& material)
-    {
-        const int index = find(material, aiTextureType_BASE_COLOR, Encoding::srgb);
-        return index != kNone ? index : find(material, aiTextureType_DIFFUSE, Encoding::srgb);
-    }
-
-    /// Index of a texture of numbers; -1 when the material has none that can be read.
-    int numbers(const aiMaterial& material, aiTextureType type)
-    {
-        return find(material, type, Encoding::linear);
-    }
-
-private:
+struct TextureImport {
     static constexpr int kNone = -1;
 
+    /// Index of the material's texture; kNone when it has none that can be read.
     int find(const aiMaterial& material, aiTextureType type, Encoding encoding)
     {
         aiString name;
         if (material.GetTexture(type, 0, &name) != aiReturn_SUCCESS) return kNone;
-        const auto [known, added] = indices_.try_emplace({name.C_Str(), encoding}, kNone);
+        const auto [known, added] = indices.try_emplace({name.C_Str(), encoding}, kNone);
         if (added) known->second = read(name.C_Str(), encoding);
         return known->second;
     }
@@ -168,12 +144,12 @@ private:
     {
         try {
             const std::optional<Result<Image>> image =
-                readTexture(from_, path_, folder_, name, texels_);
+                readTexture(from, path, folder, name, texels);
             if (!image) return kNone;
             if (!*image) return leaveOut(image->diagnostics().front());
-            scene_.textures.push_back({name, linearRgba(**image, encoding)});
-            texels_ += static_cast<double>(scene_.textures.back().image.pixels.size()) / 4;
-            return static_cast<int>(scene_.textures.size()) - 1;
+            scene.textures.push_back({name, linearRgba(**image, encoding)});
+            texels += static_cast<double>(scene.textures.back().image.pixels.size()) / 4;
+            return static_cast<int>(scene.textures.size()) - 1;
         } catch (const std::bad_alloc&) {
             return leaveOut(
                 {Code::image_broken, "the image '" + name + "' does not fit into memory"});
@@ -185,17 +161,17 @@ private:
         warning.severity = Severity::warning;
         if (!warning.help.empty()) warning.help += "; ";
         warning.help += "the material is drawn without the texture";
-        warnings_.push_back(std::move(warning));
+        warnings.push_back(std::move(warning));
         return kNone;
     }
 
-    const aiScene& from_;
-    const std::string& path_;
-    SceneFolder& folder_;
-    Scene& scene_;
-    Diagnostics& warnings_;
-    std::map<std::pair<std::string, Encoding>, int> indices_;
-    double texels_ = 0;  // of what was read
+    const aiScene& from;
+    const std::string& path;
+    SceneFolder& folder;
+    Scene& scene;
+    Diagnostics& warnings;
+    std::map<std::pair<std::string, Encoding>, int> indices = {};
+    double texels = 0;  // of what was read
 };
 
 float finiteOr(float value, float otherwise) { return std::isfinite(value) ? value : otherwise; }
@@ -239,13 +215,13 @@ SceneMaterial materialFrom(const aiMaterial& from)
 // Assimp calls glTF's occlusionTexture a light map.
 void importSurfaceMaps(const aiMaterial& from, TextureImport& textures, SceneMaterial& material)
 {
-    material.normal_texture = textures.numbers(from, aiTextureType_NORMALS);
+    material.normal_texture = textures.find(from, aiTextureType_NORMALS, Encoding::linear);
     from.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), material.normal_scale);
     material.normal_scale = finiteOr(material.normal_scale, 1.0f);
 
     aiString gltf;  // only glTF has alpha modes; elsewhere a light map is a light map
     if (from.Get(AI_MATKEY_GLTF_ALPHAMODE, gltf) != aiReturn_SUCCESS) return;
-    material.occlusion_texture = textures.numbers(from, aiTextureType_LIGHTMAP);
+    material.occlusion_texture = textures.find(from, aiTextureType_LIGHTMAP, Encoding::linear);
     from.Get(AI_MATKEY_GLTF_TEXTURE_STRENGTH(aiTextureType_LIGHTMAP, 0),
              material.occlusion_strength);
     material.occlusion_strength = std::clamp(finiteOr(material.occlusion_strength, 1), 0.0f, 1.0f);
@@ -256,11 +232,14 @@ void importSurfaceMaps(const aiMaterial& from, TextureImport& textures, SceneMat
 void importMaterials(const aiScene& from, const std::string& path, SceneFolder& folder,
                      Scene& scene, Diagnostics& warnings)
 {
-    TextureImport textures(from, path, folder, scene, warnings);
+    TextureImport textures = {from, path, folder, scene, warnings};
     for (unsigned index = 0; index < from.mNumMaterials; ++index) {
-        SceneMaterial material = materialFrom(*from.mMaterials[index]);
-        material.base_color_texture = textures.baseColor(*from.mMaterials[index]);
-        importSurfaceMaps(*from.mMaterials[index], textures, material);
+        const aiMaterial& each = *from.mMaterials[index];
+        SceneMaterial material = materialFrom(each);
+        for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE})
+            if (material.base_color_texture == TextureImport::kNone)
+                material.base_color_texture = textures.find(each, type, Encoding::srgb);
+        importSurfaceMaps(each, textures, material);
         scene.materials.push_back(std::move(material));
     }
     if (scene.materials.empty()) scene.materials.emplace_back();
