@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// A host's part of a frame.
 #include "tools/render/host_textures.h"
 
 #include <crevice/shipped.h>

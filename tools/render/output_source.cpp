@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Finding and exporting what is to be looked at.
 #include "tools/render/output_source.h"
 
 #include <string_view>

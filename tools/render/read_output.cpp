@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Reading outputs back.
 #include "tools/render/read_output.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// A scene's objects on a device, and frames of them.
 #include "tools/render/scene_upload.h"
 
 #include "tools/render/scene/mesh_normals.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Drawing a scene through a config, and reading the pictures back.
 #include "tools/render/session.h"
 
 #include "tools/commands/cli/long_run.h"

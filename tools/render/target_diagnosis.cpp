@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The doctor's examination and its diagnosis.
 #include "tools/render/target_diagnosis.h"
 
 #include "core/base/numbers.h"

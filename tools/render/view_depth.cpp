@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Drawing depth alone, and the distances in it.
 #include "tools/render/view_depth.h"
 
 #include <crevice/renderer.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Distances in view, and the warnings that follow.
 #include "tools/render/view_diagnosis.h"
 
 #include "core/base/numbers.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The arguments that say which config a command works on.
 #include "tools/commands/cli/config_options.h"
 
 #include <crevice/compile.h>

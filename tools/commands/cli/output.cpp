@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics, exit codes and progress of the crevice command.
 #include "tools/commands/cli/output.h"
 
 #include "tools/commands/cli/long_run.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Reading and resolving what `crevice render` shall write.
 #include "tools/commands/cli/output_request.h"
 
 #include "tools/render/image/image_file.h"
@@ -23,23 +22,12 @@ Diagnostic unwritable(const std::string& file, const std::string& reason, std::s
     return {Code::cannot_write, "'" + file + "' cannot be written: " + reason, std::move(help)};
 }
 
-/// Where a pattern has the frame's number.
-struct FramePlace {
-    std::size_t at = 0;
-    std::size_t size = 0;  ///< Of what the number takes the place of; 0: there is no such place.
-    std::size_t digits = 0;
-};
-
-/// The first '%', where it begins %d or %0Nd with N of 1 to 9.
-FramePlace framePlaceOf(const std::string& pattern)
+/// Whether %d or %0Nd, with N of 1 to 9, begins there.
+bool isFramePlace(const std::string& pattern, std::size_t at)
 {
-    const std::size_t at = pattern.find('%');
-    if (at == std::string::npos) return {};
-    if (pattern.compare(at, 2, "%d") == 0) return {at, 2, 1};
-    const bool padded = pattern.size() >= at + 4 && pattern[at + 1] == '0' &&
-                        pattern[at + 2] >= '1' && pattern[at + 2] <= '9' && pattern[at + 3] == 'd';
-    if (!padded) return {};
-    return {at, 4, static_cast<std::size_t>(pattern[at + 2] - '0')};
+    if (pattern.compare(at, 2, "%d") == 0) return true;
+    return pattern.size() >= at + 4 && pattern[at + 1] == '0' && pattern[at + 2] >= '1' &&
+           pattern[at + 2] <= '9' && pattern[at + 3] == 'd';
 }
 
 }  // namespace
@@ -60,16 +48,17 @@ Result<OutputRequest> parseOutputRequest(const std::string& text)
 
 std::string frameFile(const std::string& pattern, int frame)
 {
-    const FramePlace place = framePlaceOf(pattern);
+    const std::size_t at = pattern.find('%'), end = pattern.find('d', at) + 1;
+    const std::size_t digits = end - at == 4 ? pattern[at + 2] - '0' : 1;
     std::string number = std::to_string(frame);
-    if (number.size() < place.digits) number.insert(0, place.digits - number.size(), '0');
-    return pattern.substr(0, place.at) + number + pattern.substr(place.at + place.size);
+    if (number.size() < digits) number.insert(0, digits - number.size(), '0');
+    return pattern.substr(0, at) + number + pattern.substr(end);
 }
 
 Status checkFramePattern(const std::string& file)
 {
-    const FramePlace place = framePlaceOf(file);
-    if (place.size > 0 && file.find('%', place.at + 1) == std::string::npos) return {};
+    const std::size_t at = file.find('%');
+    if (at != file.npos && isFramePlace(file, at) && file.find('%', at + 1) == file.npos) return {};
     return usageError("the file '" + file + "' of --out has not one place for the frame's number",
                       "with --path write a file as 'frame_%03d.png', with one %d or %03d");
 }

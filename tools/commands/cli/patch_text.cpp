@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Patches as text.
 #include "tools/commands/cli/patch_text.h"
 
 #include "core/json/merge.h"

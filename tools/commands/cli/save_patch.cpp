@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// A config with the smallest patch over another.
 #include "tools/commands/cli/save_patch.h"
 
 #include <crevice/config.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Reading files again to see whether they were edited.
 #include "tools/commands/cli/watched_files.h"
 
 namespace crevice {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Wider formats for textures.
 #include "tools/render/device/float_device.h"
 
 namespace crevice {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// GLSL to SPIR-V and back.
 #include "tools/render/device/mediump_device.h"
 
 #include "tools/render/device/forwarding_device.h"

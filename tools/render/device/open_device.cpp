@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Choosing a context and making the device in it.
 #include "tools/render/device/open_device.h"
 
 #include <crevice/gl_device.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Words to instructions and back.
 #include "tools/render/device/spirv_module.h"
 
 #include <cstring>

@@ -120,50 +120,33 @@ float floatAt(std::string_view bytes, std::size_t at, bool low_byte_first)
     return value;
 }
 
-// "PF 640 480 -1.0" and one white space; then the floats.
-struct PfmHeader {
-    int channels = 0;
-    int width = 0;
-    int height = 0;
-    double scale = 0;
-    int size = 0;
-};
-
 bool isPfm(std::string_view bytes)
 {
     return bytes.size() > 2 && bytes[0] == 'P' && (bytes[1] == 'F' || bytes[1] == 'f') &&
            std::isspace(static_cast<unsigned char>(bytes[2]));
 }
 
-bool readHeader(std::string_view bytes, PfmHeader& header)
+// "PF 640 480 -1.0" and one white space; then the floats.
+Result<Image> decodePfm(std::string_view bytes, const std::string& name)
 {
     std::string_view rest = bytes.substr(2, 126);
     double numbers[3] = {};
     for (double& number : numbers) number = takeNumber(rest).value_or(0.0);
+    const auto& [width, height, scale] = numbers;
     const auto isSide = [](double n) { return n >= 1 && n <= 1e9 && n == std::floor(n); };
-    if (!isSide(numbers[0]) || !isSide(numbers[1]) || !std::isfinite(numbers[2])) return false;
-    header.width = static_cast<int>(numbers[0]);
-    header.height = static_cast<int>(numbers[1]);
-    header.scale = numbers[2];
-    header.channels = bytes[1] == 'F' ? 3 : 1;
-    header.size = static_cast<int>(rest.data() - bytes.data()) + 1;  // white space after the scale
-    return header.scale != 0.0;
-}
-
-Result<Image> decodePfm(std::string_view bytes, const std::string& name)
-{
-    PfmHeader header;
-    if (!readHeader(bytes, header))
+    if (!isSide(width) || !isSide(height) || !std::isfinite(scale) || scale == 0.0)
         return brokenImage(name, "its PFM header is not 'PF WIDTH HEIGHT SCALE'");
-    const std::size_t begin = std::min<std::size_t>(header.size, bytes.size());
+    const int channels = bytes[1] == 'F' ? 3 : 1;
+    const std::size_t header = static_cast<std::size_t>(rest.data() - bytes.data()) + 1;
+    const std::size_t begin = std::min(header, bytes.size());
     const std::size_t floats = (bytes.size() - begin) / 4;
-    const double wanted = static_cast<double>(header.width) * header.height * header.channels;
+    const double wanted = width * height * channels;
     if (static_cast<double>(floats) < wanted)
         return brokenImage(name, "it ends after " + std::to_string(floats) + " of " +
                                      std::to_string(static_cast<long long>(wanted)) + " values");
-    Image image({header.width, header.height}, header.channels);
+    Image image({static_cast<int>(width), static_cast<int>(height)}, channels);
     for (std::size_t k = 0; k < image.pixels.size(); ++k)
-        image.pixels[k] = floatAt(bytes, begin + 4 * k, header.scale < 0.0);
+        image.pixels[k] = floatAt(bytes, begin + 4 * k, scale < 0.0);
     return image;
 }
 

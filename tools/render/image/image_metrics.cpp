@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The figures between two images, and their difference as a picture.
 #include "tools/render/image/image_metrics.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The scenes that need no file.
 #include "tools/render/scene/builtin_scenes.h"
 
 #include "tools/render/scene/builtin/parts.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Framing a scene, and reading a camera from the command line.
 #include "tools/render/scene/camera_framing.h"
 
 #include "core/base/numbers.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Normals, shared vertices and open edges of imported meshes.
 #include "tools/render/scene/mesh_normals.h"
 
 #include <glm/common.hpp>

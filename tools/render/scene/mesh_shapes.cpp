@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Simple meshes.
 #include "tools/render/scene/mesh_shapes.h"
 
 #include <glm/geometric.hpp>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The arguments that say which scene is seen and from where.
 #include "tools/render/scene/options.h"
 
 #include "core/base/text.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// What scenes of any origin share: bounds and projections.
 #include "tools/render/scene/scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Writing into a string, and reading one that nobody vouches for.
 #include "tools/render/scene/scene_bytes.h"
 
 #include "tools/render/scene/transfer.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Cameras and lights of an Assimp scene.
 #include "tools/render/scene/views.h"
 
 #include "tools/render/image/image_file.h"

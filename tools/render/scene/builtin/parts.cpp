@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Parts of built-in scenes.
 #include "tools/render/scene/builtin/parts.h"
 
 #include "tools/render/scene/mesh_shapes.h"

@@ -23,17 +23,15 @@ struct Paint {
 
 Paint addPaint(Scene& scene)
 {
-    Paint paint = {};
-    paint.asphalt = addMaterial(scene, "asphalt", {0.32f, 0.32f, 0.34f});
-    paint.concrete = addMaterial(scene, "concrete", {0.62f, 0.61f, 0.58f});
-    paint.steel = addMaterial(scene, "steel", {0.5f, 0.52f, 0.55f}, 0.4f, 48.0f);
-    paint.plaster = addMaterial(scene, "plaster", {0.8f, 0.72f, 0.6f});
-    paint.wood = addMaterial(scene, "wood", {0.5f, 0.38f, 0.26f});
-    paint.red = addMaterial(scene, "red", {0.62f, 0.2f, 0.17f}, 0.4f, 64.0f);
-    paint.blue = addMaterial(scene, "blue", {0.22f, 0.36f, 0.58f}, 0.4f, 64.0f);
-    paint.bark = addMaterial(scene, "bark", {0.36f, 0.28f, 0.2f});
-    paint.leaf = addMaterial(scene, "leaf", {0.34f, 0.5f, 0.2f});
-    return paint;
+    return {addMaterial(scene, "asphalt", {0.32f, 0.32f, 0.34f}),
+            addMaterial(scene, "concrete", {0.62f, 0.61f, 0.58f}),
+            addMaterial(scene, "steel", {0.5f, 0.52f, 0.55f}, 0.4f, 48.0f),
+            addMaterial(scene, "plaster", {0.8f, 0.72f, 0.6f}),
+            addMaterial(scene, "wood", {0.5f, 0.38f, 0.26f}),
+            addMaterial(scene, "red", {0.62f, 0.2f, 0.17f}, 0.4f, 64.0f),
+            addMaterial(scene, "blue", {0.22f, 0.36f, 0.58f}, 0.4f, 64.0f),
+            addMaterial(scene, "bark", {0.36f, 0.28f, 0.2f}),
+            addMaterial(scene, "leaf", {0.34f, 0.5f, 0.2f})};
 }
 
 void append(MeshDesc& mesh, const MeshDesc& other)

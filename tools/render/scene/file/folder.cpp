@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The folders of a scene.
 #include "tools/render/scene/file/folder.h"
 
 #include "core/base/text.h"

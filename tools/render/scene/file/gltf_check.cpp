@@ -158,25 +158,25 @@ bool takesSecondCoordinates(const json& gltf)
 }
 
 // Nodes, and primitives at them, as often as paths lead there.
-class Placements {
-public:
-    explicit Placements(const json& gltf)
-        : nodes_(member(gltf, "nodes")),
-          meshes_(member(gltf, "meshes"))
-    {
-    }
+struct Placements {
+    static constexpr int kDeepest = 1000;  // Assimp goes down by recursion
+
+    const json& nodes;
+    const json& meshes;
+    bool too_deep = false;
+    std::map<const json*, double> all_below = {};  // the node itself included
 
     /// Below a list of nodes. What leads back to itself counts once; Assimp refuses it.
     double of(const json& list, int depth = 0)
     {
         double sum = 0;
-        too_deep_ = too_deep_ || depth > kDeepest;
-        if (!list.is_array() || too_deep_) return sum;
+        too_deep = too_deep || depth > kDeepest;
+        if (!list.is_array() || too_deep) return sum;
         for (const json& index : list) {
-            const json& node = entryOf(nodes_, index);
-            const auto [below, added] = below_.try_emplace(&node, 0.0);
+            const json& node = entryOf(nodes, index);
+            const auto [below, added] = all_below.try_emplace(&node, 0.0);
             if (added && !node.is_null()) {
-                const json& mesh = entryOf(meshes_, member(node, "mesh"));
+                const json& mesh = entryOf(meshes, member(node, "mesh"));
                 below->second = 1 + static_cast<double>(member(mesh, "primitives").size()) +
                                 of(member(node, "children"), depth + 1);
             }
@@ -184,15 +184,6 @@ public:
         }
         return sum;
     }
-
-    bool tooDeep() const { return too_deep_; }
-    static constexpr int kDeepest = 1000;  // Assimp goes down by recursion
-
-private:
-    const json& nodes_;
-    const json& meshes_;
-    std::map<const json*, double> below_;  // the node itself included
-    bool too_deep_ = false;
 };
 
 // Of the file and its buffers; what is not found has the bytes that it says.
@@ -220,12 +211,12 @@ Status checkClaims(const json& gltf, const std::string& path, double bytes)
         if (count.is_number() && count.get<double>() > bytes)
             return overLimit(path, "elements in an accessor", count.get<double>(), bytes, size);
     }
-    Placements placements(gltf);
+    Placements placements = {member(gltf, "nodes"), member(gltf, "meshes")};
     double nodes = 0;
     for (const json& scene : member(gltf, "scenes")) nodes += placements.of(member(scene, "nodes"));
     const double limit = sceneLimits(size).nodes;
     if (nodes > limit) return overLimit(path, "nodes and meshes at them", nodes, limit, size);
-    if (placements.tooDeep())
+    if (placements.too_deep)
         return overLimit(path, "nodes or more one below another", Placements::kDeepest + 1,
                          Placements::kDeepest, size);
     return {};

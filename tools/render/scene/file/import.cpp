@@ -27,6 +27,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <tuple>
 
 namespace crevice {
 
@@ -229,16 +230,14 @@ Status checkCounts(const aiScene& scene, const std::string& path, std::uint64_t 
                 drawn += scene.mMeshes[node.mMeshes[k]]->mNumFaces;
         open.insert(open.end(), node.mChildren, node.mChildren + node.mNumChildren);
     }
-    if (nodes > limits.nodes)
-        return overLimit(path, "nodes and meshes at them", nodes, limits.nodes, bytes);
-    if (scene.mNumMeshes > limits.parts)
-        return overLimit(path, "primitives", scene.mNumMeshes, limits.parts, bytes);
-    if (scene.mNumLights > limits.parts)
-        return overLimit(path, "lights", scene.mNumLights, limits.parts, bytes);
-    if (triangles > limits.triangles)
-        return overLimit(path, "triangles", triangles, limits.triangles, bytes);
-    if (drawn > limits.drawn)
-        return overLimit(path, "triangles at all nodes", drawn, limits.drawn, bytes);
+    const std::tuple<const char*, double, double> counts[] = {
+        {"nodes and meshes at them", nodes, limits.nodes},
+        {"primitives", scene.mNumMeshes, limits.parts},
+        {"lights", scene.mNumLights, limits.parts},
+        {"triangles", triangles, limits.triangles},
+        {"triangles at all nodes", drawn, limits.drawn}};
+    for (const auto& [what, count, limit] : counts)
+        if (count > limit) return overLimit(path, what, count, limit, bytes);
     return {};
 }
 

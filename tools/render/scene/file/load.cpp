@@ -16,35 +16,17 @@
 namespace crevice {
 namespace {
 
-// What goes through the pipe.
-struct Answer {
-    bool ok = false;
-    Scene scene;
-    Diagnostics diagnostics;
-};
-
-template <class Pipe>
-void transfer(Pipe& pipe, Answer& answer)
+Result<Scene> readWithoutThrow(const std::string& path, const ImportOptions& options)
 {
-    transferAll(pipe, answer.ok, answer.scene, answer.diagnostics);
-}
-
-Answer answerOf(const std::string& path, const ImportOptions& options)
-{
-    Answer answer;
     try {
-        Result<Scene> scene = readScene(path, options);
-        answer.ok = scene.ok();
-        answer.diagnostics = scene.diagnostics();
-        if (scene) answer.scene = std::move(*scene);
+        return readScene(path, options);
     } catch (const std::bad_alloc&) {
-        answer.diagnostics = {brokenScene(
+        return brokenScene(
             path, "it takes more memory than it may, 768 MiB and 64 times the size of its files",
-            "it may claim more than it holds; a scene that is this large has to be split")};
+            "it may claim more than it holds; a scene that is this large has to be split");
     } catch (const std::exception& fault) {
-        answer.diagnostics = {brokenScene(path, fault.what())};
+        return brokenScene(path, fault.what());
     }
-    return answer;
 }
 
 Diagnostic unfinished(ChildEnd end, const std::string& path, const ChildLimits& limits)
@@ -65,20 +47,24 @@ Result<Scene> importApart(const std::string& path, const ImportOptions& options)
 {
     std::error_code error;
     const ChildLimits limits = readerLimits(std::filesystem::file_size(path, error), options);
-    std::string bytes;
+    bool ok = false;
+    Scene scene;
+    Diagnostics diagnostics;
     const auto send = [&](Sender& sender) {
-        Answer read = answerOf(path, options);
-        transfer(sender, read);
+        Result<Scene> read = readWithoutThrow(path, options);
+        ok = read.ok();
+        diagnostics = read.diagnostics();
+        transferAll(sender, ok, ok ? *read : scene, diagnostics);
     };
+    std::string bytes;
     const ChildEnd end = runInChild(limits, send, bytes);
     if (end != ChildEnd::done) return unfinished(end, path, limits);
-    Answer answer;
     BytesReader reader(bytes);
-    transfer(reader, answer);
+    transferAll(reader, ok, scene, diagnostics);
     if (!reader.whole()) return unfinished(ChildEnd::crashed, path, limits);
-    if (!answer.ok) return answer.diagnostics;
-    if (!isSound(answer.scene)) return brokenScene(path, "its reader mixed it up");
-    return {std::move(answer.scene), std::move(answer.diagnostics)};
+    if (!ok) return diagnostics;
+    if (!isSound(scene)) return brokenScene(path, "its reader mixed it up");
+    return {std::move(scene), std::move(diagnostics)};
 }
 
 bool looksLikeFile(const std::string& name)

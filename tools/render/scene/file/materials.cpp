@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Materials and textures of an Assimp scene.
 #include "tools/render/scene/file/materials.h"
 
 #include "tools/render/image/image_file.h"
