@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // crevice bench: error against run time of many configs, scenes, sizes and sample counts.
-#include "tools/commands/cli/long_run.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/bench/measure.h"

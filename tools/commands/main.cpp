@@ -69,19 +69,12 @@ int run(int argc, char** argv)
         "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 the machine lacks something,\n"
         "4 a result cannot be written, 5 over a limit, or something is wrong, 130 interrupted.\n"
         "Each command has its own --help with examples.");
-    crevice::addRenderCommand(app, exit_code);
-    crevice::addValidateCommand(app, exit_code);
-    crevice::addExplainCommand(app, exit_code);
-    crevice::addDoctorCommand(app, exit_code);
-    crevice::addCompareCommand(app, exit_code);
-    crevice::addReferenceCommand(app, exit_code);
-    crevice::addBenchCommand(app, exit_code);
-    crevice::addReportCommand(app, exit_code);
-    crevice::addChooseCommand(app, exit_code);
-    crevice::addCostCommand(app, exit_code);
-    crevice::addSchemaCommand(app, exit_code);
-    crevice::addStressCommand(app, exit_code);
-    crevice::addViewCommand(app, exit_code);
+    using namespace crevice;
+    for (const auto add :
+         {addRenderCommand, addValidateCommand, addExplainCommand, addDoctorCommand,
+          addCompareCommand, addReferenceCommand, addBenchCommand, addReportCommand,
+          addChooseCommand, addCostCommand, addSchemaCommand, addStressCommand, addViewCommand})
+        add(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

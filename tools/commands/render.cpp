@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // crevice render: draws a scene through a config and writes what was asked for.
-#include "tools/commands/cli/long_run.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/cli/save_patch.h"
 #include "tools/commands/cli/watched_files.h"

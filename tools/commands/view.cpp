@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // crevice view: serves the page on this machine, with one's own config and scene.
-#include "tools/commands/cli/long_run.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/render/scene/builtin_scenes.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A renderer's output as an image in CPU memory.
+// A renderer's output as an image in CPU memory, and how far away what a view shows is.
 #pragma once
 
 #include <crevice/renderer.h>
 
+#include <optional>
 #include <string_view>
 
 namespace crevice {
@@ -28,5 +29,16 @@ bool remembers(const Plan& plan);
 /// Errors: those of Renderer::render and of readOutput.
 Result<Image> drawSettled(Device& device, Renderer& renderer, const Frame& frame,
                           std::string_view name);
+
+/// Draws nothing but depth, where the copy cost of a bench and the radius on screen come from.
+constexpr const char* kDepthModule = "command/depth.json";
+
+/// Window depths of a frame's first view, 1 in the background: no plan has to keep its own.
+/// Errors: those of Renderer::create, Renderer::render and Device::readTexture.
+Result<Image> drawDepth(Device& device, Frame frame, Extent extent);
+
+/// Median distance along the view axis of what such depths show. Nothing where that is the
+/// background alone.
+std::optional<double> medianDistance(const Image& depth, const Camera& camera);
 
 }  // namespace crevice

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/session.h"
 
-#include "tools/commands/cli/long_run.h"
 #include "tools/commands/cli/output.h"
 #include "tools/render/glsl/glsl_check.h"
 #include "tools/render/image/image_file.h"

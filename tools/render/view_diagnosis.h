@@ -6,8 +6,8 @@
 #include <crevice/compile.h>
 #include <crevice/renderer.h>
 
+#include "tools/render/read_output.h"
 #include "tools/render/scene/scene.h"
-#include "tools/render/view_depth.h"
 
 #include <optional>
 

@@ -4,7 +4,7 @@
 
 #include "core/base/files.h"
 #include "core/base/numbers.h"
-#include "tools/commands/cli/long_run.h"
+#include "tools/commands/cli/output.h"
 #include "tools/render/image/image_file.h"
 
 #include <fcntl.h>

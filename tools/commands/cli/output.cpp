@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/commands/cli/output.h"
 
-#include "tools/commands/cli/long_run.h"
-
 #include "core/base/text.h"
 
 #include <fcntl.h>
@@ -12,6 +10,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -20,6 +20,7 @@ namespace crevice {
 
 namespace {
 
+volatile std::sig_atomic_t signalled = 0;
 int output_failure = 0;  // the errno of the first write to stdout that failed
 
 std::string formatted(const char* format, std::va_list values)
@@ -152,6 +153,24 @@ void Progress::update(double done, const char* part)
 void Progress::wipe()
 {
     if (terminal_) std::fputs("\r\033[K", stderr);
+}
+
+void catchInterrupts()
+{
+    struct sigaction action = {};
+    action.sa_handler = [](int) { signalled = 1; };
+    action.sa_flags = SA_RESETHAND;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+bool interrupted() { return signalled != 0; }
+
+double clockSeconds()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 }  // namespace crevice

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the crevice command says: diagnostics, exit codes, progress.
+// What the crevice command says: diagnostics, exit codes, progress; and, for work that takes long,
+// a clock and an end in good order.
 #pragma once
 
 #include <crevice/diagnostic.h>
@@ -83,5 +84,15 @@ private:
     bool terminal_;
     double next_s_ = 0;  ///< When there may be another line, by clockSeconds.
 };
+
+/// From here on the first interrupt (SIGINT, SIGTERM) only sets `interrupted`, a second one ends
+/// the program at once. A file over the limit that the shell sets (ulimit -f) is an error like a
+/// full disk's and does not kill the program.
+void catchInterrupts();
+
+bool interrupted();
+
+/// Seconds of a steady clock, from an arbitrary start.
+double clockSeconds();
 
 }  // namespace crevice

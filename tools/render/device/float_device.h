@@ -7,6 +7,16 @@
 
 namespace crevice {
 
+/// The 32-bit float format with at least the channels of `format`; `format` itself where it is one
+/// of depth.
+inline Format floatFormat(Format format)
+{
+    const FormatInfo& info = formatInfo(format);
+    if (info.format_class == FormatClass::depth) return format;
+    if (info.channels == 1) return Format::r32f;
+    return info.channels == 2 ? Format::rg32f : Format::rgba32f;
+}
+
 /// Not a number becomes 0 in a format of 8 bits, and 1.7 becomes 1: here both stay as the shader
 /// wrote them. Depth keeps its format. What the plan knows of formats, such as the macros of their
 /// steps, stays that of the formats asked for.
@@ -14,11 +24,12 @@ class FloatDevice : public ForwardingDevice {
 public:
     using ForwardingDevice::ForwardingDevice;
 
-    Result<TextureId> createTexture(const TextureDesc& desc) override;
+    Result<TextureId> createTexture(const TextureDesc& desc) override
+    {
+        TextureDesc wide = desc;
+        wide.format = floatFormat(desc.format);
+        return device_.createTexture(caps().canRender(wide.format) ? wide : desc);
+    }
 };
-
-/// The 32-bit float format with at least the channels of `format`; `format` itself where it is one
-/// of depth.
-Format floatFormat(Format format);
 
 }  // namespace crevice

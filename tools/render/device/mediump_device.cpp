@@ -2,7 +2,6 @@
 #include "tools/render/device/mediump_device.h"
 
 #include "tools/render/device/forwarding_device.h"
-#include "tools/render/device/mediump_words.h"
 #include "tools/render/glsl/glslang_stage.h"
 
 #include <spirv_cross_c.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rounding after every step, instruction by instruction.
-#include "tools/render/device/mediump_words.h"
-
+#include "tools/render/device/mediump_device.h"
 #include "tools/render/device/spirv_module.h"
 
 #include <set>
@@ -31,14 +30,27 @@ public:
         : original_(readInstructions(words)),
           out_(words, original_)
     {
-        for (const SpirvInstruction& instruction : original_) learn(instruction);
+        for (const SpirvInstruction& each : original_) {
+            const SpirvWords& operands = each.operands;
+            if (each.op == spv::OpDecorate && operands[1] == spv::DecorationRelaxedPrecision)
+                mediump_.insert(operands[0]);
+            if (each.op == spv::OpVariable)
+                variables_[each.result] = spv::StorageClass(operands[0]);
+            if (each.op == spv::OpEntryPoint)
+                fragment_ = operands[0] == spv::ExecutionModelFragment;
+        }
         if (mediump == Mediump::full) mediump_.clear();
     }
 
-    SpirvWords run();
+    SpirvWords run()
+    {
+        for (const SpirvInstruction& instruction : original_) visit(instruction);
+        for (const auto& [type, function] : rounding_functions_)
+            writeRoundingFunction(type, function);
+        return out_.words();
+    }
 
 private:
-    void learn(const SpirvInstruction& instruction);
     bool isDropped(const SpirvInstruction& decoration) const;
     bool isRounded(const SpirvInstruction& instruction) const;
     void visit(SpirvInstruction instruction);
@@ -104,23 +116,6 @@ private:
     bool fragment_ = false;
     std::map<Id, Id> rounding_functions_;  ///< By type.
 };
-
-void MediumpRounder::learn(const SpirvInstruction& instruction)
-{
-    const SpirvWords& operands = instruction.operands;
-    if (instruction.op == spv::OpDecorate && operands[1] == spv::DecorationRelaxedPrecision)
-        mediump_.insert(operands[0]);
-    if (instruction.op == spv::OpVariable)
-        variables_[instruction.result] = spv::StorageClass(operands[0]);
-    if (instruction.op == spv::OpEntryPoint) fragment_ = operands[0] == spv::ExecutionModelFragment;
-}
-
-SpirvWords MediumpRounder::run()
-{
-    for (const SpirvInstruction& instruction : original_) visit(instruction);
-    for (const auto& [type, function] : rounding_functions_) writeRoundingFunction(type, function);
-    return out_.words();
-}
 
 bool MediumpRounder::isDropped(const SpirvInstruction& decoration) const
 {

@@ -10,9 +10,7 @@
 #include "tools/render/scene/file/folder.h"
 #include "tools/render/scene/file/gltf_check.h"
 #include "tools/render/scene/file/limits.h"
-#include "tools/render/scene/file/materials.h"
 #include "tools/render/scene/mesh_normals.h"
-#include "tools/render/scene/views.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>

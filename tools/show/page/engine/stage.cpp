@@ -2,8 +2,8 @@
 // Scenes and cameras of the page.
 #include "tools/show/page/engine/stage.h"
 
+#include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
-#include "tools/render/view_depth.h"
 
 #include <nlohmann/json.hpp>
 

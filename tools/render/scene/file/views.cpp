@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/render/scene/views.h"
+#include "tools/render/scene/file/import.h"
 
 #include "tools/render/image/image_file.h"
 
