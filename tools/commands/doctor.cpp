@@ -45,7 +45,6 @@ constexpr float kPoison = 0.8713f;
 constexpr float kOtherPoison = 0.3391f;
 
 struct Checkup {
-    Plan plan;  ///< Of the config as it is.
     std::vector<TargetHealth> health;
     std::string device;
     Diagnostics warnings;  ///< Of the plan, the machine and the view.
@@ -196,7 +195,6 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
     if (const Result<Image> depth = drawDepth(device, frame, view.extent))
         append(checkup.warnings, checkView(description, *plan, view.scene, frame.camera,
                                            medianDistance(*depth, frame.camera), nullptr));
-    checkup.plan = std::move(*plan);
     if (open->programs) append(checkup.warnings, open->programs->warnings());
     return checkup;
 }

@@ -26,8 +26,6 @@ for argument in "${@:2}"; do
     arguments+=("$argument")
 done
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
-work=$(mktemp -d)
-trap 'rm -rf -- "$work"' EXIT
 
 # --- tables ---
 
@@ -79,8 +77,6 @@ fill() {
     sed '/^|/d; s/\t.*//' "$work/cells" | sort -u | comm -23 - <(sort -u "$work/used") >"$work/left"
     [[ ! -s $work/left ]] || { sed 's/^/no table has the row: /' "$work/left" >&2; exit 1; }
 }
-# quietly COMMAND...: shows what it prints only where it fails; then no figure is written.
-quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; touch "$work/failed"; exit 1; }; }
 
 # --- what is measured ---
 

@@ -24,19 +24,17 @@ case ${1:-} in
 esac
 
 source tools/scripts/built_crevice.sh
-fresh=$(mktemp -d)
-trap 'rm -rf -- "$fresh"' EXIT
 
 # The comparison reports a bench sample that fails (1); new figures need all of them.
 for sweep in "${sweeps[@]}"; do
     status=0
     # shellcheck disable=SC2086  # its words are options
-    "$CREVICE" bench $sweep "${bench[@]}" --out "$fresh" || status=$?
+    "$CREVICE" bench $sweep "${bench[@]}" --out "$work" || status=$?
     if ((status > 1)) || [[ $status$action == 1update ]]; then exit "$status"; fi
 done
 
 if [[ $action == compare ]]; then
-    "$CREVICE" report "$fresh" --against docs/bench "$@" || {
+    "$CREVICE" report "$work" --against docs/bench "$@" || {
         echo "If that is meant: tools/scripts/guard_bench.sh --update, and say why in the commit."
         exit 1
     }
@@ -44,13 +42,13 @@ if [[ $action == compare ]]; then
 fi
 
 mkdir -p docs/bench
-sed -E 's/"(ao|ground_truth|difference)_picture":"[^"]*"/"\1_picture":""/g' "$fresh/results.jsonl" \
+sed -E 's/"(ao|ground_truth|difference)_picture":"[^"]*"/"\1_picture":""/g' "$work/results.jsonl" \
     >docs/bench/results.jsonl
-"$CREVICE" report docs/bench --out "$fresh/report.html"
+"$CREVICE" report docs/bench --out "$work/report.html"
 device=$(sed -nE '1s/.*"device":"([^"]*)".*/\1/p' docs/bench/results.jsonl | tr -cs 'A-Za-z0-9.\n' '_')
 rm -rf -- "docs/bench/$device"
 mkdir "docs/bench/$device"
-tr -d '\r' <"$fresh/report.csv" | awk -F, -v folder="docs/bench/$device" '
+tr -d '\r' <"$work/report.csv" | awk -F, -v folder="docs/bench/$device" '
     NR == 1 { header = $0; next }
     { file = folder "/" $1 ".csv" }
     !(file in begun) { print header >file; begun[file] = 1 }

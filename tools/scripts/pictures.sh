@@ -17,15 +17,10 @@ case ${1:-} in
     *) echo "usage: tools/scripts/pictures.sh [--check]" >&2; exit 2 ;;
 esac
 source tools/scripts/built_crevice.sh
-work=$(mktemp -d)
-trap 'rm -rf -- "$work"' EXIT
 mkdir "$work/pictures"
 
 main='eye=0.1,1.15,2.1;at=-0.1,0.4,-0.9;fov=50'  # no sky: the ground truth is known everywhere
 near='eye=0.1,1.15,2.1;at=-0.6,0.33,-0.9;fov=24'  # the bunny, the cube and the corner behind them
-
-# Shows what a command prints only where it fails.
-quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; return 1; }; }
 
 # draw NAME SIZE CAMERA OUTPUT CONFIG ARGUMENTS...
 draw() {

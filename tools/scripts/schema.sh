@@ -18,8 +18,6 @@ case ${1:-} in
     *) echo "usage: tools/scripts/schema.sh [--check]" >&2; exit 2 ;;
 esac
 source tools/scripts/built_crevice.sh
-work=$(mktemp -d)
-trap 'rm -rf -- "$work"' EXIT
 
 "$CREVICE" schema >"$work/schema"
 { sed '/^<!-- crevice schema --format markdown -->$/q' "$tables"; "$CREVICE" schema --format markdown; } \

@@ -12,11 +12,6 @@ namespace fs = std::filesystem;
 namespace crevice {
 namespace {
 
-Diagnostic usageError(std::string message, std::string help)
-{
-    return {Code::usage, std::move(message), std::move(help)};
-}
-
 Diagnostic unwritable(const std::string& file, const std::string& reason, std::string help)
 {
     return {Code::cannot_write, "'" + file + "' cannot be written: " + reason, std::move(help)};
@@ -36,13 +31,14 @@ Result<OutputRequest> parseOutputRequest(const std::string& text)
 {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-        return usageError("--out '" + text + "' is not NAME=FILE",
-                          "write --out color=lit.png or --out ao=ao.pfm");
+        return Diagnostic{Code::usage, "--out '" + text + "' is not NAME=FILE",
+                          "write --out color=lit.png or --out ao=ao.pfm"};
     OutputRequest request{text.substr(0, equals), text.substr(equals + 1)};
     const std::string extension = lowerExtension(request.file);
     if (extension != ".png" && extension != ".pfm")
-        return usageError("the file '" + request.file + "' of --out is neither .png nor .pfm",
-                          "PNG holds 8 bits a channel for looking at, PFM 32-bit floats");
+        return Diagnostic{Code::usage,
+                          "the file '" + request.file + "' of --out is neither .png nor .pfm",
+                          "PNG holds 8 bits a channel for looking at, PFM 32-bit floats"};
     return request;
 }
 
@@ -59,8 +55,9 @@ Status checkFramePattern(const std::string& file)
 {
     const std::size_t at = file.find('%');
     if (at != file.npos && isFramePlace(file, at) && file.find('%', at + 1) == file.npos) return {};
-    return usageError("the file '" + file + "' of --out has not one place for the frame's number",
-                      "with --path write a file as 'frame_%03d.png', with one %d or %03d");
+    return Diagnostic{Code::usage,
+                      "the file '" + file + "' of --out has not one place for the frame's number",
+                      "with --path write a file as 'frame_%03d.png', with one %d or %03d"};
 }
 
 Status checkWritable(const std::string& file)

@@ -49,15 +49,6 @@ Result<Words> spirvOf(const GlslStage& stage, glslang_stage_t kind)
     return words;
 }
 
-struct Context {
-    spvc_context context = nullptr;
-
-    Context() { spvc_context_create(&context); }
-    ~Context() { spvc_context_destroy(context); }
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
-};
-
 /// False where SPIRV-Cross fails; the context then says why.
 bool writeGlsl(spvc_context context, const Words& words, unsigned version, std::string& text)
 {
@@ -87,11 +78,14 @@ Result<GlslStage> rewrite(const GlslStage& stage, glslang_stage_t kind, Mediump 
 {
     const Result<Words> words = spirvOf(stage, kind);
     if (!words) return words.diagnostics();
-    const Context cross;
+    spvc_context context = nullptr;
+    spvc_context_create(&context);
+    const std::unique_ptr<spvc_context_s, void (*)(spvc_context)> owned(context,
+                                                                        spvc_context_destroy);
     GlslStage rewritten = stage;
-    if (!writeGlsl(cross.context, rewriteMediump(*words, mediump), isOld(stage) ? 300 : 310,
+    if (!writeGlsl(context, rewriteMediump(*words, mediump), isOld(stage) ? 300 : 310,
                    rewritten.text))
-        return explain(stage, spvc_context_get_last_error_string(cross.context));
+        return explain(stage, spvc_context_get_last_error_string(context));
     const std::string name = stage.files.front()->name + ", rewritten";
     rewritten.files = {std::make_shared<SourceText>(SourceText{name, rewritten.text})};
     return rewritten;

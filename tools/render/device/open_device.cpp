@@ -17,8 +17,7 @@ Result<OpenDevice> openNamed(std::string_view backend, const GlDeviceOptions& op
     if (!context) return context.diagnostics();
     Result<std::unique_ptr<Device>> device = makeGlDevice((*context)->loader(), options);
     if (!device) return device.diagnostics();
-    Diagnostics warnings = device.diagnostics();
-    return {OpenDevice{std::move(*context), nullptr, std::move(*device)}, std::move(warnings)};
+    return {OpenDevice{std::move(*context), nullptr, std::move(*device)}, device.diagnostics()};
 }
 
 Result<OpenDevice> openFirst(const GlDeviceOptions& options)

@@ -163,10 +163,6 @@ Image imageFromRows(const stbi_us* rows, Extent extent, int channels)
     return image;
 }
 
-struct StbFree {
-    void operator()(void* pixels) const { stbi_image_free(pixels); }
-};
-
 Status checkImageSize(const std::string& name, Extent extent, int channels, double most_pixels)
 {
     const double limit = std::min(kMaxImageValues / channels, std::floor(most_pixels));
@@ -188,8 +184,9 @@ Result<Image> decodeByStb(std::string_view bytes, const std::string& name, doubl
         if (const Status fits = checkImageSize(name, extent, channels, most_pixels); !fits)
             return fits.diagnostics();
     // Of 8 bits it makes the 257-fold, which is the same part of the whole.
-    const std::unique_ptr<stbi_us, StbFree> rows(
-        stbi_load_16_from_memory(data, size, &extent.width, &extent.height, &channels, 0));
+    const std::unique_ptr<stbi_us, void (*)(void*)> rows(
+        stbi_load_16_from_memory(data, size, &extent.width, &extent.height, &channels, 0),
+        stbi_image_free);
     if (!rows) return brokenImage(name, stbi_failure_reason());
     return imageFromRows(rows.get(), extent, channels);
 }

@@ -43,10 +43,7 @@ void setNormal(Vertex& vertex, const glm::dvec3& normal)
     for (int axis = 0; axis < 3; ++axis) vertex.normal[axis] = static_cast<float>(normal[axis]);
 }
 
-bool hasNormal(const Vertex& vertex)
-{
-    return vertex.normal[0] != 0 || vertex.normal[1] != 0 || vertex.normal[2] != 0;
-}
+bool hasNormal(const Vertex& vertex) { return glm::make_vec3(vertex.normal) != glm::vec3(0); }
 
 // Zero where it has no length.
 glm::dvec3 unit(const glm::dvec3& vector)

@@ -25,12 +25,6 @@ bool isIndex(const List& list, int index)
     return index >= 0 && static_cast<std::size_t>(index) < list.size();
 }
 
-template <class List>
-bool isIndexOrNone(const List& list, int index)
-{
-    return index == -1 || isIndex(list, index);
-}
-
 bool isSound(const MeshDesc& mesh)
 {
     return mesh.indices.size() % 3 == 0 &&
@@ -62,7 +56,7 @@ bool isSound(const Scene& scene)
     for (const SceneMaterial& material : scene.materials)
         for (const int texture :
              {material.base_color_texture, material.normal_texture, material.occlusion_texture})
-            if (!isIndexOrNone(scene.textures, texture)) return false;
+            if (texture != -1 && !isIndex(scene.textures, texture)) return false;
     return true;
 }
 
