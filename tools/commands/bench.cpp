@@ -3,10 +3,10 @@
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/bench/measure.h"
+#include "tools/measure/bench/run_options.h"
 #include "tools/measure/bench/views.h"
 #include "tools/measure/motion/table.h"
 #include "tools/measure/reference/reference_cache.h"
-#include "tools/measure/run_options.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/scene/options.h"
 
@@ -73,10 +73,11 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
     measure.interrupted = interrupted;
     measure.tracing = [&progress](double done) { progress.update(done, ": tracing ground truth"); };
     BenchMeter meter(device, plan, sources, measure);
-    const MeasureJob job =
-        benchJob(plan, name, std::move(file->done),
-                 [&meter](const BenchTask& task) { return meter.measure(task); });
-    const MeasureSummary summary = measureOnConsole(job, file->lines, time_budget, progress);
+    MeasureWorld world;
+    world.device = name;
+    world.measure = [&meter](const BenchTask& task) { return meter.measure(task); };
+    world.time_budget_s = time_budget;
+    const MeasureSummary summary = measureOnConsole(plan, *file, world, progress);
     if (measure.motion)
         if (const auto samples = readBenchSamples({file->lines.path()}); samples)
             printMotion(plan, *samples, name);
@@ -167,7 +168,7 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     command->add_flag("--motion", options->bench.motion,
                       "Measure what changes while the camera moves, too, and print it; traces 13 "
                       "ground truths a view, so choose a small --size");
-    addRunOptions(*command, options->run, "bench sample", "results.jsonl and pictures");
+    addRunOptions(*command, options->run);
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);
     addCheckoutOption(*command, options->checkout);

@@ -72,8 +72,7 @@ void showAddress(const std::string& address, bool no_browser)
 
 int view(const ViewOptions& options)
 {
-    Result<PageFiles> page =
-        PageFiles::list(options.page.empty() ? builtPageFolder() : options.page);
+    Result<PageFiles> page = listPage(options.page.empty() ? builtPageFolder() : options.page);
     if (!page) return report(page.diagnostics(), false);
     UserFiles files(options.config, shippedSources());
     const Diagnostics config = files.check();

@@ -13,6 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -150,6 +151,19 @@ Diagnostics readLines(const std::string& path, const LineKind& kind,
         }
     }
     return diagnostics;
+}
+
+const Diagnostic& firstError(const Diagnostics& diagnostics)
+{
+    const auto isError = [](const Diagnostic& each) { return each.severity == Severity::error; };
+    return *std::find_if(diagnostics.begin(), diagnostics.end(), isError);
+}
+
+std::string failureText(const Diagnostics& diagnostics)
+{
+    const Diagnostic& error = firstError(diagnostics);
+    const std::string place = placeName(error.place);
+    return (place.empty() ? "" : place + ": ") + codeName(error.code) + ": " + error.message;
 }
 
 }  // namespace crevice

@@ -55,4 +55,10 @@ struct LineKind {
 Diagnostics readLines(const std::string& path, const LineKind& kind,
                       const std::function<void(nlohmann::json&&)>& take);
 
+/// The first that is an error; `diagnostics` has one.
+const Diagnostic& firstError(const Diagnostics& diagnostics);
+
+/// "my.frag:12:3: CV5001: the message": the first error, as a line has it.
+std::string failureText(const Diagnostics& diagnostics);
+
 }  // namespace crevice

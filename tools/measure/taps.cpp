@@ -9,8 +9,6 @@
 namespace crevice {
 namespace {
 
-constexpr double kManySamples = 128;  // taps; with the other uniforms within 224 vectors
-
 int valueOf(const ParamDesc& param) { return static_cast<int>(param.value[0]); }
 
 bool holds(const ParamDesc& param, int value) { return value >= param.min && value <= param.max; }
@@ -59,13 +57,6 @@ std::vector<std::string> overridesFor(const Description& description, int count)
     const auto [across, along] = dividedBetween(*slices, *steps, count / 2);
     if (across == 0) return {};
     return {assignment(*slices, across), assignment(*steps, along)};
-}
-
-void takeAllSamples(Description& description)
-{
-    for (ParamDesc& param : description.params)
-        if (param.name == "samples" || param.name == "slices" || param.name == "steps")
-            param.value[0] = static_cast<float>(std::min<double>(param.max, kManySamples));
 }
 
 }  // namespace crevice

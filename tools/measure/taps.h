@@ -18,7 +18,4 @@ int samplesOf(const Description& description);
 /// it.
 std::vector<std::string> overridesFor(const Description& description, int count);
 
-/// Each of those params at its largest, but at most 128: every device holds so many offsets.
-void takeAllSamples(Description& description);
-
 }  // namespace crevice

@@ -56,13 +56,3 @@ TEST_CASE(
     CHECK(split(marching(2, 4), 7).empty());       // not the same on both ways
     CHECK(split(marching(2, 4), 2 * 37).empty());  // 37 fits neither range
 }
-
-TEST_CASE("all samples are the largest that the ranges and every device allow")
-{
-    Description description = marching(2, 4);
-    takeAllSamples(description);
-    CHECK(samplesOf(description) == 2 * 16 * 32);
-    description.params = {whole("samples", 64, 256)};
-    takeAllSamples(description);
-    CHECK(samplesOf(description) == 128);
-}

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A bench: which samples are to be measured, and the file they go to.
+// A bench: which samples are to be measured.
 //
 // Planning needs no GL. What measures a sample is in tools/measure/bench/measure.h.
 #pragma once
 
 #include "tools/commands/cli/config_options.h"
 #include "tools/measure/bench/sample.h"
-#include "tools/measure/run.h"
 #include "tools/render/scene/scene.h"
 
-#include <functional>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -67,18 +64,5 @@ struct BenchPlan {
 ///
 /// Errors: CV4005 for a size.
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources);
-
-/// The results file of a bench, with the keys of what it has figures of.
-struct BenchFile {
-    LineFile lines;
-    std::set<std::string> done;
-};
-
-/// FOLDER/results.jsonl. Errors: those of LineFile and readBenchSamples.
-Result<BenchFile> openBench(const std::string& folder);
-
-/// What the engine needs to measure the tasks on a device. The plan must outlive it.
-MeasureJob benchJob(const BenchPlan& plan, const std::string& device, std::set<std::string> done,
-                    std::function<Result<BenchSample>(const BenchTask&)> measure);
 
 }  // namespace crevice

@@ -43,7 +43,7 @@ std::string missingScope(const std::vector<ResultView>& views)
     std::vector<std::string> names;
     for (const ResultView& view : views) {
         const std::string name = view.scene + " at " + extentName(view.extent);
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        if (!contains(names, name)) names.push_back(name);
     }
     return "the results hold: " + joined(names);
 }
@@ -55,68 +55,48 @@ struct Gathered {
     bool harmful = false;
 };
 
-class Gatherer {
-public:
-    explicit Gatherer(const std::vector<BenchSample>& samples) : samples_(samples) {}
+void addSample(const std::string& view, const BenchSample& sample, Gathered& gathered)
+{
+    Candidate& candidate = gathered.candidate;
+    if (gathered.views.empty() || sample.cost.median > candidate.ms) {
+        candidate.ms = sample.cost.median;
+        candidate.slowest_view = view;
+    }
+    if (gathered.views.empty() || sample.error.rmse > candidate.error) {
+        candidate.error = sample.error.rmse;
+        candidate.worst_view = view;
+    }
+    candidate.ratio = std::max(candidate.ratio, sample.ratio_copy);
+    gathered.harmful = gathered.harmful || sample.error.rmse >= sample.error_without_ao;
+    gathered.views.push_back(view);
+}
 
-    void add(const ResultView& view)
-    {
+/// All samples of the candidates' views, by label.
+void gather(const std::vector<BenchSample>& samples, Candidates& candidates)
+{
+    std::vector<Gathered> all;
+    std::map<std::string, std::size_t> places;
+    for (const ResultView& view : candidates.views)
         for (const std::size_t i : view.samples) {
-            without_ao_ = std::max(without_ao_, samples_[i].error_without_ao);
-            addSample(view.name, i, samples_[i]);
+            const auto [place, is_new] = places.emplace(sampleLabel(samples[i]), all.size());
+            if (is_new) all.push_back({{place->first, i}, {}});
+            addSample(view.name, samples[i], all[place->second]);
+            candidates.error_without_ao =
+                std::max(candidates.error_without_ao, samples[i].error_without_ao);
         }
+    for (Gathered& gathered : all) {
+        std::vector<std::string> lacking;
+        for (const ResultView& view : candidates.views)
+            if (!contains(gathered.views, view.name)) lacking.push_back(view.name);
+        const std::string& label = gathered.candidate.label;
+        if (gathered.harmful)
+            candidates.harmful.push_back(label);
+        else if (!lacking.empty())
+            candidates.elided.push_back(label + ": no figures for " + joined(lacking));
+        else
+            candidates.list.push_back(std::move(gathered.candidate));
     }
-
-    void finish(Candidates& candidates)
-    {
-        for (Gathered& gathered : gathered_) {
-            const std::string& label = gathered.candidate.label;
-            std::string lacking;
-            for (const ResultView& view : candidates.views) {
-                const auto& have = gathered.views;
-                if (std::find(have.begin(), have.end(), view.name) == have.end())
-                    lacking += (lacking.empty() ? "" : ", ") + view.name;
-            }
-            if (gathered.harmful)
-                candidates.harmful.push_back(label);
-            else if (!lacking.empty())
-                candidates.elided.push_back(label + ": no figures for " + lacking);
-            else
-                candidates.list.push_back(std::move(gathered.candidate));
-        }
-        candidates.error_without_ao = without_ao_;
-    }
-
-private:
-    void addSample(const std::string& view, std::size_t index, const BenchSample& sample)
-    {
-        const auto [place, is_new] = places_.emplace(sampleLabel(sample), gathered_.size());
-        if (is_new) {
-            Gathered gathered;
-            gathered.candidate.label = place->first;
-            gathered.candidate.sample = index;
-            gathered_.push_back(std::move(gathered));
-        }
-        Gathered& gathered = gathered_[place->second];
-        Candidate& candidate = gathered.candidate;
-        if (gathered.views.empty() || sample.cost.median > candidate.ms) {
-            candidate.ms = sample.cost.median;
-            candidate.slowest_view = view;
-        }
-        if (gathered.views.empty() || sample.error.rmse > candidate.error) {
-            candidate.error = sample.error.rmse;
-            candidate.worst_view = view;
-        }
-        candidate.ratio = std::max(candidate.ratio, sample.ratio_copy);
-        gathered.harmful = gathered.harmful || sample.error.rmse >= sample.error_without_ao;
-        gathered.views.push_back(view);
-    }
-
-    const std::vector<BenchSample>& samples_;
-    std::vector<Gathered> gathered_;
-    std::map<std::string, std::size_t> places_;
-    double without_ao_ = 0;
-};
+}
 
 /// Notes what was measured in the scope, but with another radius or size than the rest.
 void addOtherwiseMeasured(const std::vector<BenchSample>& samples,
@@ -175,9 +155,7 @@ Result<Candidates> findCandidates(const std::vector<BenchSample>& samples, const
         const std::string size = scope.extent == Extent{} ? "" : " at " + extentName(scope.extent);
         return scopeError("there are no results" + scene + size, missingScope(all));
     }
-    Gatherer gatherer(samples);
-    for (const ResultView& view : candidates.views) gatherer.add(view);
-    gatherer.finish(candidates);
+    gather(samples, candidates);
     addOtherwiseMeasured(samples, in_scope, candidates);
     return candidates;
 }

@@ -27,8 +27,8 @@ struct Candidate {
     double ms = 0;           ///< BenchSample::cost: what it adds to a host that has a G-buffer.
     double ratio = 0;        ///< Of that over the copy cost.
     double error = 0;        ///< rmse.
-    std::string slowest_view;
-    std::string worst_view;
+    std::string slowest_view = {};
+    std::string worst_view = {};
 };
 
 struct Candidates {

@@ -2,6 +2,7 @@
 // One sample of a bench, from its description to its figures.
 #include "tools/measure/bench/measure.h"
 
+#include "tools/measure/bench/run.h"
 #include "tools/measure/bench/times.h"
 #include "tools/measure/motion/measure.h"
 #include "tools/measure/reference/reference_cache.h"
@@ -177,9 +178,7 @@ BenchMeter::~BenchMeter() = default;
 Status BenchMeter::enter(const BenchTask& task)
 {
     const BenchView& view = plan_.views[task.view];
-    if (setting_ && setting_->reference == task.reference && &setting_->view == &view)
-        return setting_->ground_truth.ok() ? Status()
-                                           : Status(setting_->ground_truth.diagnostics());
+    if (setting_ && setting_->reference == task.reference && &setting_->view == &view) return {};
     setting_.reset();
     Result<UploadedScene> scene = UploadedScene::upload(device_, *view.scene);
     if (!scene) return scene.diagnostics();
@@ -199,12 +198,13 @@ Status BenchMeter::enter(const BenchTask& task)
     setting->makeYardstick(device_, sources_, task.sample.radius);
     if (const Status timed = setting->beginTurns(options_.repeats); !timed) return timed;
     setting_ = std::move(setting);
-    return setting_->ground_truth.ok() ? Status() : Status(setting_->ground_truth.diagnostics());
+    return {};
 }
 
 Result<BenchSample> BenchMeter::measure(const BenchTask& task)
 {
     if (const Status ready = enter(task); !ready) return ready.diagnostics();
+    if (!setting_->ground_truth) return setting_->ground_truth.diagnostics();
     BenchSample sample = task.sample;
     sample.radius_px = setting_->radius_px;
     sample.device = device_.caps().name;

@@ -14,6 +14,8 @@
 
 #include <crevice/renderer.h>
 
+#include <functional>
+
 namespace crevice {
 
 struct MeasureOptions {

@@ -2,6 +2,7 @@
 // Which samples a bench measures: the product of its lists, and their keys.
 #include "tools/measure/bench/bench.h"
 
+#include "tools/measure/line_file.h"
 #include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/taps.h"
 #include "tools/render/scene/camera_framing.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace crevice {
 namespace {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A bench for the engine of tools/measure: its file, its lines, its words.
-#include "tools/measure/bench/bench.h"
+// The loop over the samples of a bench.
+#include "tools/measure/bench/run.h"
 
+#include "core/base/content_hash.h"
 #include "core/base/numbers.h"
 
+#include <cmath>
 #include <utility>
 
 namespace crevice {
@@ -16,6 +18,120 @@ std::string figuresText(const BenchSample& sample)
                              " x copy";
     return sample.motion_failure.empty() ? text : text + ", no motion: " + sample.motion_failure;
 }
+
+std::string timeText(double seconds)
+{
+    const auto whole = static_cast<long long>(std::ceil(seconds));
+    if (whole < 60) return std::to_string(whole) + " s";
+    if (whole < 3600) return std::to_string((whole + 59) / 60) + " min";
+    return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
+}
+
+class Run {
+public:
+    Run(const BenchPlan& plan, BenchFile& file, const MeasureWorld& world)
+        : file_(file.lines),
+          world_(world),
+          start_(world.seconds())
+    {
+        for (const BenchTask& task : plan.tasks) {
+            if (file.done.count(keyOnDevice(task.sample.key, world.device)) > 0)
+                ++summary_.kept;
+            else
+                todo_.push_back(&task);
+        }
+    }
+
+    MeasureSummary run()
+    {
+        std::size_t next = 0;
+        while (next < todo_.size() && !mustStop() && measureOne(next)) ++next;
+        for (; next < todo_.size(); ++next)
+            summary_.missing.push_back(sampleTitle(todo_[next]->sample));
+        return std::move(summary_);
+    }
+
+private:
+    double elapsed() const { return world_.seconds() - start_; }
+
+    bool mustStop()
+    {
+        summary_.interrupted = world_.interrupted();
+        const bool spent = world_.time_budget_s > 0 && elapsed() >= world_.time_budget_s;
+        return summary_.interrupted || spent;
+    }
+
+    /// False when the run must end before this sample has its line.
+    bool measureOne(std::size_t place)
+    {
+        const BenchTask& task = *todo_[place];
+        if (!task.sample.failure.empty()) return fail(place, task.sample.failure);
+        world_.begin(sampleTitle(task.sample));
+        const Result<BenchSample> sample = world_.measure(task);
+        summary_.interrupted = world_.interrupted();
+        if (summary_.interrupted) return false;
+        warn(sample.diagnostics());
+        if (sample) {
+            if (!write(place, *sample)) return false;
+            ++summary_.measured;
+            printProgress(place, figuresText(*sample));
+            return true;
+        }
+        Diagnostic error = firstError(sample.diagnostics());
+        if (error.code != Code::cannot_write) return fail(place, failureText({error}));
+        error.help = LineFile::wayOut();
+        summary_.written = error;
+        return false;
+    }
+
+    bool fail(std::size_t place, const std::string& failure)
+    {
+        BenchSample sample = todo_[place]->sample;
+        sample.failure = failure;
+        if (!write(place, std::move(sample))) return false;
+        summary_.failures.push_back(sampleTitle(todo_[place]->sample) + ": " + failure);
+        printProgress(place, "failed: " + failure);
+        return true;
+    }
+
+    /// A failure has its device, too, so that figures can take its place.
+    bool write(std::size_t place, BenchSample sample)
+    {
+        sample.key = keyOnDevice(todo_[place]->sample.key, world_.device);
+        sample.device = world_.device;
+        summary_.written = file_.append(toJsonLine(sample));
+        return summary_.written.ok();
+    }
+
+    /// Once each.
+    void warn(const Diagnostics& diagnostics)
+    {
+        for (const Diagnostic& each : diagnostics) {
+            if (each.severity != Severity::warning) continue;
+            std::string text = toText(each);
+            text.pop_back();  // say() ends the line
+            if (warnings_.insert(text).second) world_.say(text);
+        }
+    }
+
+    void printProgress(std::size_t place, const std::string& outcome) const
+    {
+        const std::size_t done = place + 1;
+        const std::size_t left = todo_.size() - done;
+        std::string line = "[" + std::to_string(done) + "/" + std::to_string(todo_.size()) + "] " +
+                           sampleTitle(todo_[place]->sample) + ": " + outcome;
+        const double each = elapsed() / static_cast<double>(done);
+        if (left > 0) line += "; about " + timeText(each * static_cast<double>(left)) + " left";
+        world_.say(line);
+    }
+
+    LineFile& file_;
+    const MeasureWorld& world_;
+    const double start_;
+    std::vector<const BenchTask*> todo_;
+    std::set<std::string> warnings_;
+    MeasureSummary summary_;
+};
 
 }  // namespace
 
@@ -31,32 +147,17 @@ Result<BenchFile> openBench(const std::string& folder)
     return file;
 }
 
-MeasureJob benchJob(const BenchPlan& plan, const std::string& device, std::set<std::string> done,
-                    std::function<Result<BenchSample>(const BenchTask&)> measure)
+MeasureSummary measureAll(const BenchPlan& plan, BenchFile& file, const MeasureWorld& world)
 {
-    MeasureJob job;
-    job.done = std::move(done);
-    for (const BenchTask& task : plan.tasks)
-        job.tasks.push_back(
-            {keyOnDevice(task.sample.key, device), sampleTitle(task.sample), task.sample.failure});
-    const auto lineOf = [&plan, device](BenchSample sample, std::size_t task) {
-        sample.key = keyOnDevice(plan.tasks[task].sample.key, device);
-        sample.device = device;
-        return toJsonLine(sample);
-    };
-    job.measure = [&plan, lineOf,
-                   measure = std::move(measure)](std::size_t task) -> Result<Measured> {
-        const Result<BenchSample> sample = measure(plan.tasks[task]);
-        if (!sample) return sample.diagnostics();
-        return {Measured{lineOf(*sample, task), figuresText(*sample)}, sample.diagnostics()};
-    };
-    job.failure_line = [&plan, lineOf](std::size_t task, const std::string& failure) {
-        BenchSample sample =
-            plan.tasks[task].sample;  // with its device, so that figures can take its place
-        sample.failure = failure;
-        return lineOf(std::move(sample), task);
-    };
-    return job;
+    return Run(plan, file, world).run();
+}
+
+std::string keyOnDevice(const std::string& key, const std::string& device)
+{
+    ContentHash hash;
+    hash.addText(key);
+    hash.addText(device);
+    return hash.hex();
 }
 
 }  // namespace crevice

@@ -2,6 +2,8 @@
 // Groups bench samples by what they show.
 #include "tools/measure/bench/views.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -59,14 +61,8 @@ std::vector<ResultView> benchViews(const std::vector<BenchSample>& samples)
         auto view = std::find_if(views.begin(), views.end(),
                                  [&sample](const ResultView& v) { return shows(v, sample); });
         if (view == views.end())
-            view = views.insert(views.end(), {sample.device,
-                                              sample.scene,
-                                              sample.camera,
-                                              sample.extent,
-                                              sample.radius,
-                                              sample.clock,
-                                              {},
-                                              {}});
+            view = views.insert(views.end(), {sample.device, sample.scene, sample.camera,
+                                              sample.extent, sample.radius, sample.clock});
         view->samples.push_back(i);
     }
     std::stable_sort(views.begin(), views.end(), [](const ResultView& a, const ResultView& b) {
@@ -93,8 +89,7 @@ std::vector<std::string> benchDevices(const std::vector<BenchSample>& samples)
 {
     std::vector<std::string> devices;
     for (const BenchSample& sample : samples)
-        if (sample.failure.empty() &&
-            std::find(devices.begin(), devices.end(), sample.device) == devices.end())
+        if (sample.failure.empty() && !contains(devices, sample.device))
             devices.push_back(sample.device);
     return devices;
 }

@@ -17,10 +17,10 @@ struct ResultView {
     std::string camera;
     Extent extent;
     double radius = 0;
-    std::string clock;                 ///< As BenchSample has it.
-    std::vector<std::size_t> samples;  ///< Indexes, in the order of the results.
+    std::string clock;                      ///< As BenchSample has it.
+    std::vector<std::size_t> samples = {};  ///< Indexes, in the order of the results.
     /// The scene; with its camera where it was seen from several.
-    std::string name;
+    std::string name = {};
 };
 
 /// Sorted by device, scene and camera; of one scene and camera the view with the most samples

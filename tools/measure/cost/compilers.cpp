@@ -33,10 +33,10 @@ std::string inputOf(const std::vector<PlanProgram>& programs)
     return input;
 }
 
-Diagnostic broken(const Compilers& compilers, const CostGpu& gpu, const std::string& what)
+Diagnostic broken(const std::string& folder, const CostGpu& gpu, const std::string& what)
 {
     Diagnostic error{Code::no_compilers, std::string("the compiler for ") + gpu.name + " in '" +
-                                             compilers.folder + "' does not work: " + what};
+                                             folder + "' does not work: " + what};
     error.help = "build it again: remove that folder, then run tools/scripts/mobile_compilers.sh";
     return error;
 }
@@ -52,39 +52,37 @@ std::string lastLine(const std::string& output)
 
 }  // namespace
 
-Result<Compilers> findCompilers(const std::string& folder)
+Result<std::string> findCompilers(std::string folder)
 {
-    Compilers compilers{folder};
     const char* named = std::getenv("CREVICE_MOBILE_COMPILERS");
-    if (compilers.folder.empty() && named) compilers.folder = named;
-    if (compilers.folder.empty()) compilers.folder = usualCacheFolder() + "/mobile_compilers";
+    if (folder.empty() && named) folder = named;
+    if (folder.empty()) folder = usualCacheFolder() + "/mobile_compilers";
     std::vector<std::string> wanted = {kProgram};
     for (const CostGpu& gpu : costGpus()) wanted.push_back(std::string("/inst/lib/") + gpu.shim);
     for (const std::string& file : wanted) {
         std::error_code error;
-        if (fs::exists(compilers.folder + file, error)) continue;
+        if (fs::exists(folder + file, error)) continue;
         return Diagnostic{
             Code::no_compilers,
-            "the compilers of phones' GPUs are not there: '" + compilers.folder + file +
-                "' is missing",
+            "the compilers of phones' GPUs are not there: '" + folder + file + "' is missing",
             "build them with tools/scripts/mobile_compilers.sh, about ten minutes; or name their "
             "folder with --compilers or CREVICE_MOBILE_COMPILERS"};
     }
-    return compilers;
+    return folder;
 }
 
-Result<CompiledPrograms> compilePrograms(const Compilers& compilers, const CostGpu& gpu,
+Result<CompiledPrograms> compilePrograms(const std::string& folder, const CostGpu& gpu,
                                          const std::vector<PlanProgram>& programs)
 {
-    const std::string mesa = compilers.folder + "/inst";
+    const std::string mesa = folder + "/inst";
     std::vector<std::string> variables = gpu.variables;
     variables.insert(variables.end(),
                      {"LD_LIBRARY_PATH=" + mesa + "/lib", "LD_PRELOAD=" + mesa + "/lib/" + gpu.shim,
                       "LIBGL_DRIVERS_PATH=" + mesa + "/dri", "EGL_PLATFORM=surfaceless",
                       "MESA_SHADER_CACHE_DISABLE=1", "LIBGL_ALWAYS_SOFTWARE=0"});
     const ProgramRun run =
-        runProgram(compilers.folder + kProgram, variables, inputOf(programs), kCompileSeconds);
-    if (!run.ended) return broken(compilers, gpu, run.failure);
+        runProgram(folder + kProgram, variables, inputOf(programs), kCompileSeconds);
+    if (!run.ended) return broken(folder, gpu, run.failure);
     CompiledPrograms compiled;
     std::vector<std::string> outputs;
     bool complete = false;
@@ -99,7 +97,7 @@ Result<CompiledPrograms> compilePrograms(const Compilers& compilers, const CostG
         complete = line == "end" || (complete && line.empty());
     }
     if (run.exit_code != 0 || !complete || outputs.size() != programs.size())
-        return broken(compilers, gpu, lastLine(run.output));
+        return broken(folder, gpu, lastLine(run.output));
     for (const std::string& output : outputs) compiled.figures.push_back(readFigures(gpu, output));
     return compiled;
 }

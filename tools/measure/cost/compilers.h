@@ -11,14 +11,9 @@
 
 namespace crevice {
 
-/// Where they lie.
-struct Compilers {
-    std::string folder;
-};
-
-/// In `folder`; where that is empty, in the one that CREVICE_MOBILE_COMPILERS names, or where the
-/// script puts them. Errors: CV6021 where one of them is not there.
-Result<Compilers> findCompilers(const std::string& folder);
+/// Where they lie: in `folder`; where that is empty, in the one that CREVICE_MOBILE_COMPILERS
+/// names, or where the script puts them. Errors: CV6021 where one of them is not there.
+Result<std::string> findCompilers(std::string folder);
 
 /// What the compiler of one GPU made of a plan's programs.
 struct CompiledPrograms {
@@ -27,7 +22,7 @@ struct CompiledPrograms {
 };
 
 /// Errors: CV6021 where the compiler does not run to its end.
-Result<CompiledPrograms> compilePrograms(const Compilers& compilers, const CostGpu& gpu,
+Result<CompiledPrograms> compilePrograms(const std::string& folder, const CostGpu& gpu,
                                          const std::vector<PlanProgram>& programs);
 
 }  // namespace crevice

@@ -3,7 +3,7 @@
 
 #include "core/base/text.h"
 #include "tools/measure/cost/compilers.h"
-#include "tools/measure/cost/fetches.h"
+#include "tools/measure/cost/counting_device.h"
 #include "tools/measure/cost/pass_roles.h"
 #include "tools/render/scene_upload.h"
 #include "tools/show/plan/costs.h"
@@ -174,7 +174,7 @@ Json sumJson(const Json& config, bool with_geometry)
 
 Result<Json> costOf(const CostOptions& options, const std::string& name, const SourceSet& sources,
                     const SceneView& view, const std::vector<const CostGpu*>& gpus,
-                    const Compilers& compilers, Json& report)
+                    const std::string& compilers, Json& report)
 {
     ConfigOptions chosen = options.config;
     chosen.config = name;
@@ -215,7 +215,7 @@ Result<CostReport> measureCost(const CostOptions& options, const SourceSet& sour
 {
     const Result<std::vector<const CostGpu*>> gpus = findGpus(options.gpus);
     if (!gpus) return gpus.diagnostics();
-    const Result<Compilers> compilers = findCompilers(options.compilers);
+    const Result<std::string> compilers = findCompilers(options.compilers);
     if (!compilers) return compilers.diagnostics();
     const Result<SceneView> view = loadSceneView(options.scene);
     if (!view) return view.diagnostics();

@@ -7,6 +7,9 @@
 #pragma once
 
 #include "tools/render/device/forwarding_device.h"
+#include "tools/render/scene/options.h"
+
+#include <crevice/config.h>
 
 #include <map>
 #include <optional>
@@ -86,5 +89,11 @@ private:
     std::vector<Binding> bindings_;
     bool fullscreen_ = false;
 };
+
+/// Fetches a frame of a scene by fullscreen pass, summed over its pixels, loops counted as often as
+/// they run, on the first context without a window that works. Of a config that remembers frames it
+/// is one that has them. Errors: those of openDevice, CountingDevice and Renderer; a counted shader
+/// may not compile.
+Result<std::map<std::string, double>> countFetches(Description description, const SceneView& view);
 
 }  // namespace crevice

@@ -12,21 +12,11 @@ namespace crevice {
 
 namespace {
 
-CostGpu mali(const char* name, const char* id, int most_threads, const char* registers,
-             std::vector<std::string> units)
+std::vector<std::string> words(std::string_view text)
 {
-    return {name,
-            "libpanfrost_noop_drm_shim.so",
-            {"PAN_MESA_DEBUG=precompile", std::string("PAN_GPU_ID=") + id},
-            "threads",
-            most_threads,
-            "spills",
-            "fills",
-            registers,
-            "quadwords",
-            16,
-            std::move(units),
-            false};
+    if (text.empty()) return {};
+    const std::vector<std::string_view> parts = split(text, ' ');
+    return {parts.begin(), parts.end()};
 }
 
 /// "r0.x" and "hr2.y" alike: whether an operand is a 16-bit register.
@@ -36,13 +26,11 @@ bool isHalfRegister(std::string_view operand) { return startsWith(operand, "hr")
 /// beginnings up to the '.'. Category 1 moves and converts, 5 samples, 6 reaches memory.
 bool isArithmetic(std::string_view word)
 {
-    static const std::vector<std::string> kWords = {
-        "bary",   "flat",  "add",   "min",   "max",   "mul",    "sign",   "cmps",  "absneg",
-        "cmpv",   "floor", "ceil",  "rndne", "rndaz", "trunc",  "sub",    "and",   "or",
-        "not",    "xor",   "mull",  "bfrev", "clz",   "shl",    "shr",    "ashr",  "mgen",
-        "getbit", "setrm", "cbits", "shb",   "msad",  "mad",    "madsh",  "sel",   "sad",
-        "shrm",   "shlm",  "shrg",  "shlg",  "andg",  "dp2acc", "dp4acc", "wmm",   "rcp",
-        "rsq",    "log2",  "exp2",  "sin",   "cos",   "sqrt",   "hrsq",   "hlog2", "hexp2"};
+    static const std::vector<std::string> kWords = words(
+        "bary flat add min max mul sign cmps absneg cmpv floor ceil rndne rndaz trunc sub "
+        "and or not xor mull bfrev clz shl shr ashr mgen getbit setrm cbits shb msad mad "
+        "madsh sel sad shrm shlm shrg shlg andg dp2acc dp4acc wmm rcp rsq log2 exp2 sin cos "
+        "sqrt hrsq hlog2 hexp2");
     return contains(kWords, word.substr(0, word.find('.')));
 }
 
@@ -115,35 +103,20 @@ CompilerFigures figuresOf(const CostGpu& gpu, const std::map<std::string, double
 
 const std::vector<CostGpu>& costGpus()
 {
+    const char* const kMali = "libpanfrost_noop_drm_shim.so";
     static const std::vector<CostGpu> kGpus = {
-        mali("Mali-G52", "7212", 2, "", {"arith", "texture", "vary", "ldst"}),
-        mali("Mali-G57", "9093", 2, "", {"fma", "cvt", "sfu", "v", "t", "ls"}),
-        mali("Mali-T860", "860", 4, "registers", {}),
-        {"Adreno-630",
-         "libfreedreno_noop_drm_shim.so",
-         {"FD_GPU_ID=630", "FD_MESA_DEBUG=serialc,shaderdb", "IR3_SHADER_DEBUG=fs,disasm",
-          "GALLIUM_THREAD=0"},
-         "waves",
-         16,
-         "stp",
-         "ldp",
-         "full",
-         "dwords",
-         4,
-         {},
-         true},
-        {"V3D-4.2",
-         "libv3d_noop_drm_shim.so",
-         {"V3D_DEBUG=shaderdb,precompile"},
-         "threads",
-         4,
-         "spills",
-         "fills",
-         "max-temps",
-         "inst",
-         8,
-         {},
-         false},
+        {"Mali-G52", kMali, words("PAN_MESA_DEBUG=precompile PAN_GPU_ID=7212"), "threads", 2,
+         "spills", "fills", "", "quadwords", 16, words("arith texture vary ldst"), false},
+        {"Mali-G57", kMali, words("PAN_MESA_DEBUG=precompile PAN_GPU_ID=9093"), "threads", 2,
+         "spills", "fills", "", "quadwords", 16, words("fma cvt sfu v t ls"), false},
+        {"Mali-T860", kMali, words("PAN_MESA_DEBUG=precompile PAN_GPU_ID=860"), "threads", 4,
+         "spills", "fills", "registers", "quadwords", 16, words(""), false},
+        {"Adreno-630", "libfreedreno_noop_drm_shim.so",
+         words("FD_GPU_ID=630 FD_MESA_DEBUG=serialc,shaderdb IR3_SHADER_DEBUG=fs,disasm "
+               "GALLIUM_THREAD=0"),
+         "waves", 16, "stp", "ldp", "full", "dwords", 4, words(""), true},
+        {"V3D-4.2", "libv3d_noop_drm_shim.so", words("V3D_DEBUG=shaderdb,precompile"), "threads", 4,
+         "spills", "fills", "max-temps", "inst", 8, words(""), false},
     };
     return kGpus;
 }

@@ -68,7 +68,7 @@ std::string applied(const std::string& text, const std::vector<Insertion>& inser
 std::vector<Insertion> insertionsIn(const std::string& text, const GlslTokens& tokens)
 {
     std::vector<Insertion> insertions;
-    std::vector<std::pair<std::size_t, Insertion>> ends;  // by token: calls that are still open
+    std::vector<std::size_t> ends;  // tokens, of calls that are still open
     int braces = 0, parentheses = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const GlslToken& token = tokens[i];
@@ -81,10 +81,10 @@ std::vector<Insertion> insertionsIn(const std::string& text, const GlslTokens& t
         if (token.is("main") && braces == 0 && call) insertions.push_back({at, 4, kMain});
         if (fetches(token.text) && call) {
             insertions.push_back({at, 0, std::string("(++") + kCount + ", "});
-            ends.push_back({closing(tokens, i + 1), {0, 0, ")"}});
+            ends.push_back(closing(tokens, i + 1));
         }
-        for (auto& [end, insertion] : ends)
-            if (end == i) insertions.push_back({at + 1, 0, ")"});
+        for (; !ends.empty() && ends.back() == i; ends.pop_back())
+            insertions.push_back({at + 1, 0, ")"});
     }
     return insertions;
 }

@@ -2,8 +2,6 @@
 // Building a tree from the root: each time the cut that lets a ray test the fewest boxes and items.
 #include "tools/measure/reference/bvh.h"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,21 +17,11 @@ constexpr double kNodeCost = 1.0;  // of testing two boxes, where an item's test
 // Beyond this depth nodes are halved, so that 2^31 items end within kMaxBvhDepth.
 constexpr int kMaxCutDepth = kMaxBvhDepth - 32;
 
-struct Box {
-    glm::vec3 low = glm::vec3(std::numeric_limits<float>::infinity());
-    glm::vec3 high = glm::vec3(-std::numeric_limits<float>::infinity());
-
-    void add(const glm::vec3& lowest, const glm::vec3& highest)
-    {
-        low = glm::min(low, lowest);
-        high = glm::max(high, highest);
-    }
-    double halfArea() const
-    {
-        const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
-        return size.x * size.y + size.y * size.z + size.z * size.x;
-    }
-};
+double halfArea(const BvhBox& box)
+{
+    const glm::dvec3 size = glm::dvec3(box.high) - glm::dvec3(box.low);
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
 
 struct Item {
     glm::vec3 low;
@@ -44,7 +32,7 @@ struct Item {
 };
 
 struct Bin {
-    Box box;
+    BvhBox box;
     std::size_t count = 0;
 };
 
@@ -105,7 +93,7 @@ private:
     // Where the second child's items begin; the end for a leaf.
     std::size_t divide(const Task& task)
     {
-        Box box, centers;
+        BvhBox box, centers;
         for (std::size_t k = task.begin; k < task.end; ++k) {
             const Item& item = items_[k];
             box.add(item.low, item.high);
@@ -114,7 +102,7 @@ private:
         const std::size_t count = task.end - task.begin;
         bvh_.nodes[task.node] = {box.low, static_cast<std::uint32_t>(task.begin), box.high, 0};
         const Cut cut = task.depth < kMaxCutDepth ? bestCut(task, centers) : Cut();
-        const double area = box.halfArea();
+        const double area = halfArea(box);
         if (count == 1 ||
             (count <= kMaxLeafItems && !(kNodeCost * area + cut.cost < area * count))) {
             bvh_.nodes[task.node].count = static_cast<std::uint32_t>(count);
@@ -123,7 +111,7 @@ private:
         return cut.axis < 0 ? halve(task, centers) : partition(task, cut);
     }
 
-    Cut bestCut(const Task& task, const Box& centers) const
+    Cut bestCut(const Task& task, const BvhBox& centers) const
     {
         Cut best;
         for (int axis = 0; axis < 3; ++axis) {
@@ -147,14 +135,14 @@ private:
         for (int k = kBins - 1; k > 0; --k) {
             sum.box.add(bins[k].box.low, bins[k].box.high);
             sum.count += bins[k].count;
-            behind[k] = sum.count > 0 ? sum.box.halfArea() * sum.count : -1.0;
+            behind[k] = sum.count > 0 ? halfArea(sum.box) * sum.count : -1.0;
         }
         sum = {};
         for (int k = 1; k < kBins; ++k) {
             sum.box.add(bins[k - 1].box.low, bins[k - 1].box.high);
             sum.count += bins[k - 1].count;
             if (sum.count == 0 || behind[k] < 0.0) continue;
-            const double cost = sum.box.halfArea() * sum.count + behind[k];
+            const double cost = halfArea(sum.box) * sum.count + behind[k];
             if (cost < best.cost) best = {cost, axis, k, binning};
         }
     }
@@ -168,7 +156,7 @@ private:
         return static_cast<std::size_t>(middle - items_.begin());
     }
 
-    std::size_t halve(const Task& task, const Box& centers)
+    std::size_t halve(const Task& task, const BvhBox& centers)
     {
         const glm::vec3 size = centers.high - centers.low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

@@ -5,9 +5,11 @@
 // Source: Wald 2007.
 #pragma once
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace crevice {
@@ -15,9 +17,16 @@ namespace crevice {
 /// Deepest leaf of any tree, the root at 0: a walk never has more nodes in store.
 constexpr int kMaxBvhDepth = 64;
 
-/// An axis-aligned box of finite numbers, `low` at most `high`.
+/// An axis-aligned box, which holds nothing at first.
 struct BvhBox {
-    glm::vec3 low, high;
+    glm::vec3 low = glm::vec3(std::numeric_limits<float>::infinity());
+    glm::vec3 high = -low;
+
+    void add(const glm::vec3& lowest, const glm::vec3& highest)
+    {
+        low = glm::min(low, lowest);
+        high = glm::max(high, highest);
+    }
 };
 
 /// Two children lie side by side.
@@ -34,7 +43,7 @@ struct Bvh {
     std::vector<std::uint32_t> order;  ///< Items, leaf by leaf.
 };
 
-/// The same boxes give the same tree. Takes at most 2^31 boxes.
+/// The same boxes, of finite numbers, give the same tree. Takes at most 2^31 boxes.
 Bvh buildBvh(const std::vector<BvhBox>& boxes);
 
 }  // namespace crevice

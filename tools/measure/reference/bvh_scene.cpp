@@ -41,11 +41,8 @@ bool finite(const glm::vec3& place)
 
 BvhBox boxOf(const Triangle& triangle)
 {
-    BvhBox box = {triangle.corners[0], triangle.corners[0]};
-    for (const glm::vec3& corner : triangle.corners) {
-        box.low = glm::min(box.low, corner);
-        box.high = glm::max(box.high, corner);
-    }
+    BvhBox box;
+    for (const glm::vec3& corner : triangle.corners) box.add(corner, corner);
     const glm::vec3 reach = glm::max(glm::abs(box.low), glm::abs(box.high));
     const float slack = kBoxSlack * std::max({reach.x, reach.y, reach.z});
     return {box.low - slack, box.high + slack};

@@ -2,7 +2,6 @@
 // The rays of one pixel: the one that finds its surface, and those that probe what is open there.
 #pragma once
 
-#include "tools/measure/reference/probes.h"
 #include "tools/measure/reference/ray_scene.h"
 #include "tools/measure/reference/tracer.h"
 
@@ -11,6 +10,19 @@ namespace crevice {
 /// Errors: CV4001 for options outside their ranges, CV4005 for an empty extent, CV6011 for a
 /// projection that has no inverse.
 Status checkTrace(const Camera& camera, Extent extent, const TraceOptions& options);
+
+/// A Hammersley point on the unit disc; the hemisphere's direction lies above it (Malley).
+struct Probe {
+    float radius_squared;  ///< Before its rotation.
+    float cosine, sine;    ///< Of the angle.
+};
+
+/// Directions over a surface that probe what is open: an even share of the cosine-weighted
+/// hemisphere each, in passes that are spread as evenly by themselves.
+struct ProbePasses {
+    std::vector<Probe> probes;
+    std::vector<int> begins;  ///< Of each pass in `probes`, and then their number.
+};
 
 /// Where the probes of a pixel begin.
 struct ProbedPoint {

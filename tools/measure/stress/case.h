@@ -113,6 +113,12 @@ struct StressCondition {
     /// of kinds, the labels of all that fail.
     std::string_view where = {};
     Quantity quantity = Quantity::label;
+
+    StressCondition(const char* condition = "", Quantity figure = Quantity::label)
+        : where(condition),
+          quantity(figure)
+    {
+    }
 };
 
 struct StressCase {

@@ -26,19 +26,6 @@ bool isNear(const StressShot& shot, int x, int y)
     });
 }
 
-/// The differences over what both pictures show, summed up in blocks.
-struct Blocks {
-    /// Sum and number of pixels, by place.
-    std::map<std::pair<int, int>, std::pair<double, int>> sums;
-
-    void add(int x, int y, double difference)
-    {
-        auto& [sum, count] = sums[{x, y}];
-        sum += std::isfinite(difference) ? difference : 1;
-        ++count;
-    }
-};
-
 /// The pixel of the ordinary picture that shows what pixel (x, y) of this one does.
 glm::ivec2 ordinaryPixel(const StressShot& shot, const glm::dmat2& unturned, Extent ordinary,
                          Extent size, int x, int y)
@@ -132,7 +119,7 @@ PictureChange changeBetween(const Image& ordinary, const Image& image, const Str
     const Extent size = ordinary.extent;
     const int width = image.extent.width, border = shot.border_px;
     const glm::dmat2 unturned = glm::inverse(shot.turned);
-    Blocks blocks;
+    std::map<std::pair<int, int>, std::pair<double, int>> blocks;  // sum of changes, pixels
     for (int y = 0; y < image.extent.height; ++y)
         for (int x = border; x < width - border; ++x) {
             const glm::ivec2 other = ordinaryPixel(shot, unturned, size, image.extent, x, y);
@@ -140,19 +127,21 @@ PictureChange changeBetween(const Image& ordinary, const Image& image, const Str
                 other.y >= size.height || isNear(shot, x, y))
                 continue;
             const double here = image.at(x, y), there = ordinary.at(other.x, other.y);
-            blocks.add(x / shot.block_px, y / shot.block_px, here - there);
+            auto& [changes, count] = blocks[{x / shot.block_px, y / shot.block_px}];
+            changes += std::isfinite(here - there) ? here - there : 1;
+            ++count;
             found.mean += here;
             found.ordinary += there;
             ++pixels;
         }
     double sum = 0, largest = 0;
-    for (const auto& [place, block] : blocks.sums) {
+    for (const auto& [place, block] : blocks) {
         const double change = std::abs(block.first / block.second);
         sum += change;
         largest = std::max(largest, change);
     }
-    if (blocks.sums.empty()) return found;
-    found.change = shot.spoiled.empty() ? sum / static_cast<double>(blocks.sums.size()) : largest;
+    if (blocks.empty()) return found;
+    found.change = shot.spoiled.empty() ? sum / static_cast<double>(blocks.size()) : largest;
     found.mean /= pixels;
     found.ordinary /= pixels;
     return found;

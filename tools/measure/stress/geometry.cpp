@@ -5,6 +5,7 @@
 #include "tools/render/host_textures.h"
 #include "tools/render/scene_upload.h"
 
+#include <tuple>
 #include <utility>
 
 namespace crevice {
@@ -104,7 +105,8 @@ const SourceSet& Substitutes::over(const std::string& geometry) const
     return found == over_.end() ? own_ : found->second.all;
 }
 
-Result<ChangedTextures> ChangedTextures::make(Device& device, const StressShot& shot)
+Result<std::shared_ptr<const std::vector<ImportedTexture>>> changedTextures(Device& device,
+                                                                            const StressShot& shot)
 {
     const Result<UploadedScene> scene = UploadedScene::upload(device, shot.scene);
     if (!scene) return scene.diagnostics();
@@ -129,31 +131,20 @@ Result<ChangedTextures> ChangedTextures::make(Device& device, const StressShot& 
     if (!normal) return normal.diagnostics();
     shot.host(*depth, *normal);
 
-    ChangedTextures textures(device);
-    if (const Status made = textures.add("depth", Format::r32f, *depth); !made)
-        return made.diagnostics();
-    if (const Status made = textures.add("normal", Format::rgba32f, *normal); !made)
-        return made.diagnostics();
-    return textures;
-}
-
-ChangedTextures::~ChangedTextures()
-{
-    for (const ImportedTexture& each : textures_) device_->destroy(each.texture);
-}
-
-ChangedTextures::ChangedTextures(ChangedTextures&& other) noexcept
-    : device_(other.device_),
-      textures_(std::exchange(other.textures_, {}))
-{
-}
-
-Status ChangedTextures::add(const char* name, Format format, const Image& image)
-{
-    const Result<TextureId> id = device_->createTexture({name, format, image.extent});
-    if (!id) return id.diagnostics();
-    textures_.push_back({name, *id});
-    return device_->writeTexture(*id, image);
+    const std::shared_ptr<std::vector<ImportedTexture>> textures(
+        new std::vector<ImportedTexture>, [&device](std::vector<ImportedTexture>* all) {
+            for (const ImportedTexture& each : *all) device.destroy(each.texture);
+            delete all;
+        });
+    for (const auto& [name, format, image] :
+         {std::tuple{"depth", Format::r32f, &*depth}, {"normal", Format::rgba32f, &*normal}}) {
+        const Result<TextureId> id = device.createTexture({name, format, image->extent});
+        if (!id) return id.diagnostics();
+        textures->push_back({name, *id});
+        if (const Status written = device.writeTexture(*id, *image); !written)
+            return written.diagnostics();
+    }
+    return {textures};
 }
 
 }  // namespace crevice

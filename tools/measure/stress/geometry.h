@@ -6,6 +6,7 @@
 #include "tools/measure/stress/case.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,25 +38,9 @@ constexpr const char* kPositionGeometry = "positions";
 constexpr const char* kLinearGeometry = "linear depth";
 constexpr const char* kDepthGeometry = "depth and normals";
 
-/// Depth and normals on a device, of a host that does something to them.
-class ChangedTextures {
-public:
-    /// Draws the shot's scene as its host does, and does to the textures what the host does.
-    /// Errors: those of the device.
-    static Result<ChangedTextures> make(Device& device, const StressShot& shot);
-    ~ChangedTextures();
-    ChangedTextures(ChangedTextures&& other) noexcept;
-    ChangedTextures(const ChangedTextures&) = delete;
-    ChangedTextures& operator=(const ChangedTextures&) = delete;
-
-    const std::vector<ImportedTexture>& textures() const { return textures_; }
-
-private:
-    explicit ChangedTextures(Device& device) : device_(&device) {}
-    Status add(const char* name, Format format, const Image& image);
-
-    Device* device_;
-    std::vector<ImportedTexture> textures_;
-};
+/// Depth and normals on a device, of a host that draws the shot's scene and then does to them what
+/// the shot says. The device must outlive them. Errors: those of the device.
+Result<std::shared_ptr<const std::vector<ImportedTexture>>> changedTextures(Device& device,
+                                                                            const StressShot& shot);
 
 }  // namespace crevice

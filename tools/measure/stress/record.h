@@ -61,9 +61,6 @@ struct StressRecord {
     std::string picture;   ///< Of a failure, relative to the file.
 };
 
-/// One line, without the line feed.
-std::string toJsonLine(const StressRecord& record);
-
 enum class Outcome {
     holds,
     breaks,

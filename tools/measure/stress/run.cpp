@@ -2,10 +2,15 @@
 // Planning the steps of stress cases, and drawing them case by case.
 #include "tools/measure/stress/run.h"
 
+#include "tools/measure/line_file.h"
 #include "tools/measure/stress/known.h"
 #include "tools/render/image/image_file.h"
 
 #include <crevice/config.h>
+
+#include "core/base/text.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,6 +18,14 @@
 #include <utility>
 
 namespace crevice {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressRecord, config, case_name, step, device, version, refusal,
+                                   absent, bad_target, bad_pass, bad_pixels, out_of_range, bad_x,
+                                   bad_y, bad_value, background, mean, least, most, stored,
+                                   step_share, resolved, judged, judged_mean, judged_least,
+                                   judged_below, change, exact, occlusion, rmse, rmse_white,
+                                   departing_pass, radius_px, height_px, picture)
+
 namespace {
 
 Result<std::vector<const StressCase*>> chooseCases(const std::vector<std::string>& names)
@@ -21,11 +34,10 @@ Result<std::vector<const StressCase*>> chooseCases(const std::vector<std::string
     std::vector<std::string> known;
     for (const StressCase& each : stressCases()) {
         known.push_back(each.name);
-        if (names.empty() || std::find(names.begin(), names.end(), each.name) != names.end())
-            chosen.push_back(&each);
+        if (names.empty() || contains(names, each.name)) chosen.push_back(&each);
     }
     for (const std::string& name : names)
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
+        if (!contains(known, name)) {
             Diagnostic error{Code::usage, "there is no case '" + name + "'"};
             error.help = suggestName(name, known, "cases");
             return error;
@@ -117,7 +129,7 @@ Result<std::vector<StressRecord>> runStress(
         if (const Status kept = keepFailures(*tasks[first].stress, folder, first, drawn); !kept)
             return kept.diagnostics();
         for (StressDrawing& each : drawn) {
-            lines += toJsonLine(each.record) + "\n";
+            lines += jsonLine(each.record) + "\n";
             records.push_back(std::move(each.record));
         }
     }

@@ -3,9 +3,9 @@
 #include "tools/measure/stress/runner.h"
 
 #include "core/base/numbers.h"
+#include "tools/measure/line_file.h"
 #include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/reference/tracer.h"
-#include "tools/measure/run.h"
 #include "tools/measure/stress/figures.h"
 #include "tools/measure/stress/limits.h"
 #include "tools/measure/stress/passes.h"
@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace crevice {
 namespace {
@@ -228,12 +227,12 @@ Result<StressRunner::Drawn> StressRunner::draw(const StressTask& task, const Str
     if (!scene) return scene.diagnostics();
     Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
     frame.camera = shot.camera;
-    std::optional<ChangedTextures> changed;
+    std::shared_ptr<const std::vector<ImportedTexture>> changed;
     if (shot.host) {
-        Result<ChangedTextures> made = ChangedTextures::make(*poison_, shot);
+        const auto made = changedTextures(*poison_, shot);
         if (!made) return made.diagnostics();
-        changed.emplace(std::move(*made));
-        frame.textures = changed->textures();
+        changed = *made;
+        frame.textures = *changed;
     }
     Result<HostTextures> host =
         HostTextures::make(*poison_, ready->description, shot.extent, frame);
@@ -271,13 +270,11 @@ Result<StressRunner::Drawn> StressRunner::draw(const StressTask& task, const Str
 /// The ordinary step of the task's series; null where there is no picture.
 const StressRunner::Drawn* StressRunner::ordinaryOf(const StressTask& task, Extent size)
 {
-    StressTask ordinary = task;
-    ordinary.step = static_cast<int>(task.stress->ordinary);
     const std::string key = nameOf(task.config) + ", " + task.stress->name;
     if (ordinary_of_ != key) {
         ordinary_of_ = key;
-        const StressShot shot = task.stress->shot(task.stress->steps[ordinary.step].value, size);
-        Result<Drawn> drawn = draw(ordinary, shot);
+        const StressStep& step = task.stress->steps[task.stress->ordinary];
+        Result<Drawn> drawn = draw(task, task.stress->shot(step.value, size));
         ordinary_ = std::make_unique<Drawn>(drawn ? std::move(*drawn) : Drawn());
     }
     return ordinary_->ao.pixels.empty() ? nullptr : ordinary_.get();

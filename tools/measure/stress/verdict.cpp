@@ -4,6 +4,7 @@
 #include "tools/measure/stress/record.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -213,11 +214,6 @@ std::string beyondOf(const StressCase& stress, const std::vector<const StressRec
     return "";
 }
 
-std::string breakText(const StressCase& stress, const Reach& reach)
-{
-    return "breaks at " + atLabel(stress, reach.breaks_at) + ": " + reach.why;
-}
-
 /// All but the pass that it begins with.
 Verdict judgeStep(const StressCase& stress, const std::vector<const StressRecord*>& series,
                   std::size_t step)
@@ -290,19 +286,21 @@ std::string describe(const StressCase& stress, const Breakdown& breakdown)
         return "not in this config" +
                (breakdown.why_absent.empty() ? "" : ": " + breakdown.why_absent);
     const Reach &down = breakdown.down, &up = breakdown.up;
-    std::string text = breakdown.invalid.empty() ? "" : "VOID: " + breakdown.invalid;
+    std::vector<std::string> parts;
     if (down.holds_to >= 0 && up.holds_to >= 0)
-        text = down.holds_to == up.holds_to ? "holds at " + atLabel(stress, up.holds_to)
-                                            : "holds from " + atLabel(stress, down.holds_to) +
-                                                  " to " + atLabel(stress, up.holds_to);
+        parts.push_back(down.holds_to == up.holds_to
+                            ? "holds at " + atLabel(stress, up.holds_to)
+                            : "holds from " + atLabel(stress, down.holds_to) + " to " +
+                                  atLabel(stress, up.holds_to));
+    else if (!breakdown.invalid.empty())
+        parts.push_back("VOID: " + breakdown.invalid);
     const bool same_break = down.breaks_at == up.breaks_at;
     for (const Reach* reach : {&down, &up})
         if (reach->breaks_at >= 0 && !(same_break && reach == &up))
-            text += (text.empty() ? "" : "; ") + breakText(stress, *reach);
-    if (breakdown.refused > 0)
-        text += (text.empty() ? "" : "; ") + std::to_string(breakdown.refused) + " refused";
-    if (!breakdown.beyond.empty()) text += (text.empty() ? "" : "; ") + breakdown.beyond;
-    return text;
+            parts.push_back("breaks at " + atLabel(stress, reach->breaks_at) + ": " + reach->why);
+    if (breakdown.refused > 0) parts.push_back(std::to_string(breakdown.refused) + " refused");
+    if (!breakdown.beyond.empty()) parts.push_back(breakdown.beyond);
+    return joined(parts, "; ");
 }
 
 }  // namespace crevice

@@ -16,14 +16,8 @@ namespace {
 std::vector<std::string> partsOf(const std::string& path)
 {
     if (startsWith(path, "/")) return pointerKeys(path);
-    std::vector<std::string> parts(1);
-    for (const char c : path) {
-        if (c == '.')
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
+    const std::vector<std::string_view> parts = split(path, '.');
+    return {parts.begin(), parts.end()};
 }
 
 /// The initial word of a feature.
@@ -74,8 +68,7 @@ const Node* child(const Node& node, const std::string& part)
 {
     if (node.kind != Node::Kind::array) return node.find(part);
     const bool number =
-        !part.empty() && part.size() < 9 &&
-        std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+        !part.empty() && part.size() < 9 && std::all_of(part.begin(), part.end(), isDigit);
     const std::size_t index = number ? std::stoul(part) : node.items.size();
     return index < node.items.size() ? &node.items[index] : nullptr;
 }
@@ -140,20 +133,16 @@ std::vector<Place> placesOf(const Node& node)
 
 nlohmann::json jsonOf(const FoundValue& value)
 {
-    nlohmann::json places = nlohmann::json::array(), members = nlohmann::json::array();
-    nlohmann::json overruled = nlohmann::json::array();
+    nlohmann::json json = {{"pointer", value.pointer}, {"value", brief(*value.node)}};
     for (const Place& place : placesOf(*value.node))
-        places.push_back({{"file", place.source ? place.source->name : ""},
-                          {"line", place.line},
-                          {"column", place.column},
-                          {"text", textAt(place)}});
+        json["places"].push_back({{"file", place.source ? place.source->name : ""},
+                                  {"line", place.line},
+                                  {"column", place.column},
+                                  {"text", textAt(place)}});
     for (const Member& member : value.node->members)
-        members.push_back(jsonOf({memberPointer(value.pointer, member.key), &member.value}));
-    for (const FoundValue& each : value.overruled) overruled.push_back(jsonOf(each));
-    nlohmann::json json = {
-        {"pointer", value.pointer}, {"value", brief(*value.node)}, {"places", places}};
-    if (!overruled.empty()) json["overruled"] = overruled;
-    if (!members.empty()) json["members"] = members;
+        json["members"].push_back(
+            jsonOf({memberPointer(value.pointer, member.key), &member.value}));
+    for (const FoundValue& each : value.overruled) json["overruled"].push_back(jsonOf(each));
     return json;
 }
 

@@ -158,13 +158,8 @@ std::string textureText(const Plan& plan, std::size_t index)
     std::string text = "  " + std::to_string(index) + ": " + formatInfo(texture.format).name + " " +
                        sizeText(texture.extent) + samplesText(texture.samples);
     if (texture.copies > 1) text += ", one a view";
-    text += ", " + bytesText(textureBytes(texture)) + ":";
-    const char* separator = " ";
-    for (const std::string& target : texture.targets) {
-        text += separator + target;
-        separator = ", then ";
-    }
-    return text + "\n";
+    return text + ", " + bytesText(textureBytes(texture)) + ": " +
+           joined(texture.targets, ", then ") + "\n";
 }
 
 std::string outputText(const Plan& plan, const PlanOutput& output)

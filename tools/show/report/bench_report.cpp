@@ -2,10 +2,10 @@
 // Writes the report's page and CSV.
 #include "tools/show/report/bench_report.h"
 
+#include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/measure/bench/choice.h"
-#include "tools/show/report/page.h"
-#include "tools/show/report/page_data.h"
+#include "tools/measure/line_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,18 +13,54 @@
 #include <string_view>
 
 namespace crevice {
+
+std::string_view benchPage();  // bench.html and what it names, put together at build
+
 namespace {
 
 using nlohmann::json;
 
-/// Reads each picture once, however many samples share it.
-class Pictures {
-public:
-    void add(const std::string& path, const std::string& folder)
-    {
-        if (path.empty() || found_.contains(path)) return;
-        const std::string uri = pictureUri(path, folder);
-        if (uri.empty()) {
+/// Where in the page the figures go.
+constexpr std::string_view kDataMark = "/*report.json*/";
+constexpr std::size_t kMaxPictureBytes = 64u << 20;
+
+std::string base64(std::string_view bytes)
+{
+    constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::string_view three = bytes.substr(i, 3);
+        unsigned bits = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8 | (k < three.size() ? static_cast<unsigned char>(three[k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += k <= three.size() ? kDigits[bits >> (18 - 6 * k) & 63u] : '=';
+    }
+    return text;
+}
+
+/// A PNG as text that an <img> shows; empty where the file cannot be read, is no PNG, or lies
+/// outside of the folder once links are resolved.
+std::string pictureUri(const std::string& path, const std::string& folder)
+{
+    if (!isBelow(path, {folder.empty() ? "." : folder})) return {};
+    const FileBytes file = readBytes(path, kMaxPictureBytes);
+    const bool png = startsWith(file.bytes, "\x89PNG\r\n\x1a\n");
+    return png ? "data:image/png;base64," + base64(file.bytes) : std::string();
+}
+
+/// Each picture by its path, read once however many samples share it.
+json picturesOf(const std::vector<BenchSample>& samples, Diagnostics& warnings)
+{
+    json found = json::object();
+    for (const BenchSample& sample : samples)
+        for (const std::string& path :
+             {sample.ao_picture, sample.ground_truth_picture, sample.difference_picture}) {
+            if (path.empty() || found.contains(path)) continue;
+            const std::string uri = pictureUri(path, sample.folder);
+            found[path] = uri;
+            if (!uri.empty()) continue;
             Diagnostic warning{
                 Code::image_broken,
                 "the picture '" + path + "' is no PNG below the folder of its results file",
@@ -32,20 +68,22 @@ public:
             warning.severity = Severity::warning;
             warnings.push_back(std::move(warning));
         }
-        found_[path] = uri;
-    }
+    return found;
+}
 
-    json take() { return std::move(found_); }
-
-    Diagnostics warnings;
-
-private:
-    json found_ = json::object();
-};
-
-std::string dump(const json& value)
+/// The same with every text as it can be shown.
+json shown(const json& data)
 {
-    return printable(value.dump(-1, ' ', false, json::error_handler_t::replace));
+    if (data.is_string()) return printable(data.get_ref<const std::string&>());
+    if (!data.is_structured()) return data;
+    json copy = data.is_array() ? json::array() : json::object();
+    for (const auto& [key, value] : data.items()) {
+        if (data.is_array())
+            copy.push_back(shown(value));
+        else
+            copy[printable(key)] = shown(value);
+    }
+    return copy;
 }
 
 /// The candidates worth taking, by rising cost, with the part each plays.
@@ -91,7 +129,7 @@ json adviceFor(const std::vector<BenchSample>& samples, const std::string& devic
 
 std::string quoted(const json& value)
 {
-    if (!value.is_string()) return dump(value);
+    if (!value.is_string()) return jsonLine(value);
     std::string text = printable(value.get<std::string>());
     if (!text.empty() && std::string_view("=+-@\t\n'").find(text[0]) != std::string_view::npos)
         text.insert(0, 1, '\'');  // else a spreadsheet runs it [OWASP, "CSV Injection"]
@@ -160,7 +198,7 @@ json flat(const json& value)
         if (item.is_string())
             text += item.get<std::string>();
         else
-            text += item["name"].get<std::string>() + "=" + dump(item["ms"]["median"]);
+            text += item["name"].get<std::string>() + "=" + jsonLine(item["ms"]["median"]);
     }
     return text;
 }
@@ -218,16 +256,15 @@ std::string reportCsv(const std::vector<BenchSample>& samples)
 
 Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures)
 {
-    Pictures pictures;
-    if (with_pictures) {
-        for (const BenchSample& sample : samples)
-            for (const std::string& path :
-                 {sample.ao_picture, sample.ground_truth_picture, sample.difference_picture})
-                pictures.add(path, sample.folder);
-    }
+    Diagnostics warnings;
     json model = reportModel(samples);
-    model["pictures"] = pictures.take();
-    return {pageWith(benchPage(), model), std::move(pictures.warnings)};
+    model["pictures"] = with_pictures ? picturesOf(samples, warnings) : json::object();
+    std::string figures;
+    for (const char c : jsonLine(shown(model)))  // in which "</script>" must end nothing
+        c == '<' ? figures += "\\u003c" : figures += c;
+    std::string page(benchPage());
+    page.replace(page.find(kDataMark), kDataMark.size(), figures);
+    return {std::move(page), std::move(warnings)};
 }
 
 }  // namespace crevice

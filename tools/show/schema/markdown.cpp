@@ -4,6 +4,8 @@
 
 #include "tools/show/schema/form.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 
 namespace crevice {
@@ -32,13 +34,12 @@ const Json* objectOf(const Json& form)
 
 std::string linkTo(const std::string& path)
 {
-    std::string anchor;
-    for (const char c : path)
-        if (c != '.') anchor += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    std::string anchor = lowerCase(path);
+    anchor.erase(std::remove(anchor.begin(), anchor.end(), '.'), anchor.end());
     return "[`" + path + "`](#" + anchor + ")";
 }
 
-std::string joined(const Json& list, const std::string& separator, const std::string& quote)
+std::string joinedJson(const Json& list, const std::string& separator, const std::string& quote)
 {
     std::string text;
     for (const Json& each : list)
@@ -65,12 +66,12 @@ std::string listText(const Json& form, const std::string& path)
 std::string typeText(const Json& form, const std::string& path)
 {
     if (form.contains("const")) return "`" + form["const"].dump() + "`";
-    if (form.contains("enum")) return joined(form["enum"], ", ", "`");
+    if (form.contains("enum")) return joinedJson(form["enum"], ", ", "`");
     if (hasKeys(form)) return linkTo(path);
     if (const Json* entry = entryOf(form)) return "by name: " + typeText(*entry, path + ".NAME");
     if (form.contains("items")) return listText(form, path);
     if (!form.contains("anyOf"))
-        return form["type"].is_array() ? joined(form["type"], " or ", "")
+        return form["type"].is_array() ? joinedJson(form["type"], " or ", "")
                                        : form["type"].get<std::string>();
     std::string text;
     for (const Json& each : form["anyOf"]) {
@@ -127,10 +128,6 @@ std::string sectionText(const Json& form, const std::string& path)
 
 }  // namespace
 
-std::string schemaMarkdown()
-{
-    Description description;
-    return sectionText(table::formOf(description, {}, ""), "");
-}
+std::string schemaMarkdown() { return sectionText(table::configForm(), ""); }
 
 }  // namespace crevice

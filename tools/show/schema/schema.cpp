@@ -94,12 +94,10 @@ Json wordsForm(const char* key, const char* description)
 /// The words of a feature, for people: " One of: view, normal."
 std::string valuesOf(const Node& feature)
 {
-    const Node* values = feature.find("values");
-    std::string text;
-    if (values)
-        for (const Node& word : values->items)
-            text += (text.empty() ? " One of: " : ", ") + word.text;
-    return text.empty() ? text : text + '.';
+    std::vector<std::string> words;
+    if (const Node* values = feature.find("values"))
+        for (const Node& word : values->items) words.push_back(word.text);
+    return words.empty() ? "" : " One of: " + joined(words) + '.';
 }
 
 /// The names that modules declare in a section, so that an editor can offer them.
@@ -197,8 +195,7 @@ void allowBareValues(Json& definitions)
 std::string schemaJson(const SourceSet& sources)
 {
     const Files files = filesOf(sources);
-    Description description;
-    Json form = table::formOf(description, {}, "");
+    Json form = table::configForm();
     offerNames(form);
     allowNulls(form);
     Json definitions = {{"target_name", nameForm(files, "targets")},

@@ -13,16 +13,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFiles = 1000;  // of a folder that is no page, such as one's home
 
-constexpr struct {
-    const char* extension;
-    const char* type;
-} kTypes[] = {
-    {".css", "text/css; charset=utf-8"},
-    {".html", "text/html; charset=utf-8"},
-    {".js", "text/javascript; charset=utf-8"},
-    {".wasm", "application/wasm"},
-};
-
 bool isPage(const fs::path& folder)
 {
     std::error_code error;
@@ -31,7 +21,7 @@ bool isPage(const fs::path& folder)
 
 }  // namespace
 
-Result<PageFiles> PageFiles::list(const std::string& folder)
+Result<PageFiles> listPage(const std::string& folder)
 {
     if (folder.empty() || !isPage(folder))
         return Diagnostic{Code::page_missing,
@@ -50,18 +40,11 @@ Result<PageFiles> PageFiles::list(const std::string& folder)
             continue;
         }
         if (!entries->is_regular_file(unreadable) || !isBelow(path.string(), {folder})) continue;
-        files.paths_[path.lexically_relative(folder).generic_string()] = path.string();
-        if (files.paths_.size() == kMostFiles) break;
+        files[path.lexically_relative(folder).generic_string()] = path.string();
+        if (files.size() == kMostFiles) break;
     }
-    const fs::path index = fs::path(folder) / "index.html";
-    files.paths_["index.html"] = index.string();
+    files["index.html"] = (fs::path(folder) / "index.html").string();
     return files;
-}
-
-const std::string* PageFiles::find(const std::string& name) const
-{
-    const auto at = paths_.find(name);
-    return at == paths_.end() ? nullptr : &at->second;
 }
 
 std::string builtPageFolder()
@@ -71,14 +54,6 @@ std::string builtPageFolder()
     const fs::path installed = program.parent_path().parent_path() / "share/crevice/page";
     if (!error && isPage(installed)) return installed.string();
     return isPage(CREVICE_PAGE_FOLDER) ? CREVICE_PAGE_FOLDER : "";
-}
-
-const char* mimeType(const std::string& name)
-{
-    const std::string extension = fs::path(name).extension().string();
-    for (const auto& each : kTypes)
-        if (extension == each.extension) return each.type;
-    return "application/octet-stream";
 }
 
 }  // namespace crevice

@@ -32,12 +32,8 @@ std::vector<std::string> headersOf(const httplib::Request& request, const char* 
 
 SiteRequest siteRequest(const httplib::Request& request)
 {
-    return {request.method,
-            request.path,
-            headersOf(request, "Host"),
-            headersOf(request, "Origin"),
-            request.get_header_value("If-Match"),
-            request.has_header("If-Match")};
+    return {request.method, request.path, headersOf(request, "Host"), headersOf(request, "Origin"),
+            headersOf(request, "If-Match")};
 }
 
 // All of it, however large, so that the answer is read; of which no more than the limit is kept.
@@ -52,21 +48,6 @@ void readBody(const httplib::ContentReader& read, SiteRequest& request)
     });
     request.too_large = !whole || size > kMaxDocumentBytes;
 }
-
-// Counted as long as its response is there.
-class OpenStream {
-public:
-    explicit OpenStream(std::atomic<int>& open) : open_(open), order_(++open) {}
-    ~OpenStream() { --open_; }
-    OpenStream(const OpenStream&) = delete;
-    OpenStream& operator=(const OpenStream&) = delete;
-
-    bool tooMany() const { return order_ > kMostStreams; }
-
-private:
-    std::atomic<int>& open_;
-    const int order_;
-};
 
 }  // namespace
 
@@ -83,8 +64,10 @@ struct Server::Impl {
 
 void Server::Impl::stream(httplib::Response& response)
 {
-    const auto open = std::make_shared<OpenStream>(streams);
-    if (open->tooMany()) {
+    const bool too_many = ++streams > kMostStreams;
+    // Counted as long as its response is there.
+    const std::shared_ptr<void> open(nullptr, [this](void*) { --streams; });
+    if (too_many) {
         response.status = 503;
         return;
     }

@@ -3,6 +3,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "tools/measure/line_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <map>
 
 namespace crevice {
 
@@ -34,14 +37,9 @@ namespace {
 constexpr const char* kJson = "application/json";
 constexpr std::size_t kMostPageBytes = 64u << 20;  // of one file
 
-std::string textOf(const nlohmann::json& value)
-{
-    return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 SiteAnswer jsonAnswer(int status, const nlohmann::json& value)
 {
-    return {status, kJson, std::make_shared<const std::string>(textOf(value))};
+    return {status, kJson, std::make_shared<const std::string>(jsonLine(value))};
 }
 
 SiteAnswer refused(int status, const std::string& message)
@@ -49,11 +47,19 @@ SiteAnswer refused(int status, const std::string& message)
     return jsonAnswer(status, {{"message", message}});
 }
 
-SiteAnswer pageFile(const std::string& name, const std::string& path)
+/// By the extensions of files.
+const std::map<std::string, const char*> kTypes = {{".css", "text/css; charset=utf-8"},
+                                                   {".html", "text/html; charset=utf-8"},
+                                                   {".js", "text/javascript; charset=utf-8"},
+                                                   {".wasm", "application/wasm"}};
+
+SiteAnswer pageFile(const std::string& path)
 {
     FileBytes file = readBytes(path, kMostPageBytes);
     if (!file) return {404};
-    return {200, mimeType(name), std::make_shared<const std::string>(std::move(file.bytes))};
+    const auto type = kTypes.find(std::filesystem::path(path).extension().string());
+    return {200, type == kTypes.end() ? "application/octet-stream" : type->second,
+            std::make_shared<const std::string>(std::move(file.bytes))};
 }
 
 // Whether both are the same, in a time that says nothing of where they differ.
@@ -133,17 +139,16 @@ SiteAnswer Site::get(const std::string& name) const
         if (!view_.scene_bytes) return {404};
         return {200, "application/octet-stream", view_.scene_bytes};
     }
-    const std::string file = name.empty() ? "index.html" : name;
-    const std::string* path = page_.find(file);
-    return path ? pageFile(file, *path) : SiteAnswer{404};
+    const auto file = page_.find(name.empty() ? "index.html" : name);
+    return file == page_.end() ? SiteAnswer{404} : pageFile(file->second);
 }
 
 SiteAnswer Site::put(const std::string& path, const SiteRequest& request) const
 {
     if (request.too_large) return refused(413, "a config or GLSL file has at most 1 MiB");
-    if (!request.has_if_match)
+    if (request.if_match.empty())
         return refused(428, "If-Match has to name the version that is replaced");
-    const Save save = files_.save(path, unquoted(request.if_match), request.body);
+    const Save save = files_.save(path, unquoted(request.if_match.front()), request.body);
     switch (save.end) {
     case Save::End::done: return jsonAnswer(200, {{"version", save.file.version}});
     case Save::End::changed:
@@ -164,17 +169,17 @@ std::string Site::viewJson() const
         scene = {{"name", view_.scene}, {"bytes", true}};
     else if (!view_.scene.empty())
         scene = {{"builtin", view_.scene}};
-    return textOf({{"config", files_.configName()},
-                   {"variant", view_.variant},
-                   {"editable", files_.editable()},
-                   {"files", std::move(files)},
-                   {"scene", std::move(scene)},
-                   {"camera", view_.camera}});
+    return jsonLine({{"config", files_.configName()},
+                     {"variant", view_.variant},
+                     {"editable", files_.editable()},
+                     {"files", std::move(files)},
+                     {"scene", std::move(scene)},
+                     {"camera", view_.camera}});
 }
 
 std::string fileEvent(const UserFile& file)
 {
-    return textOf({{"path", file.path}, {"text", file.text}, {"version", file.version}});
+    return jsonLine({{"path", file.path}, {"text", file.text}, {"version", file.version}});
 }
 
 }  // namespace crevice

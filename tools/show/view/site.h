@@ -22,8 +22,7 @@ struct SiteRequest {
     std::string path;                  ///< Without a query, and with %xx as what it stands for.
     std::vector<std::string> hosts;    ///< Each Host that was sent.
     std::vector<std::string> origins;  ///< Each Origin.
-    std::string if_match = {};
-    bool has_if_match = false;
+    std::vector<std::string> if_match = {};
     std::string body = {};
     bool too_large = false;  ///< The body was cut: it has more than kMaxDocumentBytes.
 };

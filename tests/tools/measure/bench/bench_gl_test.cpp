@@ -7,6 +7,7 @@
 
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
+#include "tools/measure/bench/run.h"
 #include "tools/render/camera_path.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene_upload.h"
@@ -40,12 +41,12 @@ std::vector<BenchSample> bench(const BenchOptions& options, const SourceSet& sou
     BenchMeter meter(*gl.device, plan, sources, measure);
     BenchFile file = need(openBench(folder.path.string()));
     MeasureWorld world;
+    world.device = gl.device->caps().name;
+    world.measure = [&meter](const BenchTask& task) { return meter.measure(task); };
     world.seconds = [] { return 0.0; };
     world.interrupted = [] { return false; };
     world.begin = world.say = [](const std::string&) {};
-    const auto one = [&meter](const BenchTask& task) { return meter.measure(task); };
-    const MeasureJob job = benchJob(plan, gl.device->caps().name, file.done, one);
-    need(measureAll(job, file.lines, world).written);
+    need(measureAll(plan, file, world).written);
     return need(readBenchSamples({(folder.path / "results.jsonl").string()}));
 }
 

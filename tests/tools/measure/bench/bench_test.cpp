@@ -8,6 +8,7 @@
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/bench/fixture.h"
+#include "tools/measure/bench/run.h"
 #include "tools/measure/bench/times.h"
 #include "tools/measure/bench/views.h"
 #include "tools/render/view_diagnosis.h"
@@ -60,16 +61,17 @@ MeasureSummary run(const TemporaryFolder& folder, const BenchPlan& plan,
 {
     BenchFile file = need(openBench(folder.path.string()));
     MeasureWorld world;
+    world.device = "fake";
     world.seconds = [] { return 0.0; };
     world.interrupted = [] { return false; };
     world.begin = world.say = [](const std::string&) {};
-    const auto measure = [&](const BenchTask& task) -> Result<BenchSample> {
+    world.measure = [&](const BenchTask& task) -> Result<BenchSample> {
         if (task.sample.config == fails) return Diagnostic{Code::gl_error, "it broke"};
         BenchSample sample = task.sample;
         sample.error.rmse = 0.125;
         return sample;
     };
-    return measureAll(benchJob(plan, "fake", file.done, measure), file.lines, world);
+    return measureAll(plan, file, world);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "tests/support/need.h"
 #include "tools/commands/cli/config_options.h"
 #include "tools/measure/cost/counting_device.h"
-#include "tools/measure/cost/fetches.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene_upload.h"

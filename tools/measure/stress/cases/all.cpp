@@ -4,6 +4,7 @@
 #include "tools/measure/stress/cases/all.h"
 
 #include "core/base/numbers.h"
+#include "tools/show/plan/names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +12,8 @@
 namespace crevice {
 namespace {
 
-struct Shape {
-    const char* label;
-    Extent size;
-};
-
-const Shape kShapes[] = {{"256x144", {256, 144}}, {"1x1", {1, 1}},       {"1x64", {1, 64}},
-                         {"64x1", {64, 1}},       {"3x2", {3, 2}},       {"127x93", {127, 93}},
-                         {"2048x1", {2048, 1}},   {"1x2048", {1, 2048}}, {"5x4096", {5, 4096}},
-                         {"255x144", {255, 144}}};
+const Extent kShapes[] = {{256, 144}, {1, 1},    {1, 64},   {64, 1},   {3, 2},
+                          {127, 93},  {2048, 1}, {1, 2048}, {5, 4096}, {255, 144}};
 
 }  // namespace
 
@@ -48,12 +42,12 @@ std::vector<StressStep> kinds(std::initializer_list<const char*> labels)
 std::vector<StressStep> shapes()
 {
     std::vector<StressStep> all;
-    for (const Shape& shape : kShapes)
-        all.push_back({static_cast<double>(all.size()), shape.label});
+    for (const Extent shape : kShapes)
+        all.push_back({static_cast<double>(all.size()), sizeText(shape)});
     return all;
 }
 
-Extent shapeOf(double kind) { return kShapes[static_cast<int>(kind)].size; }
+Extent shapeOf(double kind) { return kShapes[static_cast<int>(kind)]; }
 
 int noiseBlock(Extent size) { return std::max(size.width / 8, 1); }
 

@@ -9,18 +9,9 @@
 namespace crevice {
 namespace {
 
-/// What the kind does to the plane of the picture.
-glm::dmat2 turnOf(int kind)
-{
-    switch (kind) {
-    case 1: return {1, 0, 0, -1};
-    case 2: return {-1, 0, 0, 1};
-    case 3: return {0, 1, -1, 0};
-    case 4: return {-1, 0, 0, -1};
-    case 5: return {0, -1, 1, 0};
-    default: return glm::dmat2(1.0);
-    }
-}
+/// What each kind does to the plane of the picture.
+const glm::dmat2 kTurns[] = {{1, 0, 0, 1},   {1, 0, 0, -1}, {-1, 0, 0, 1}, {0, 1, -1, 0},
+                             {-1, 0, 0, -1}, {0, -1, 1, 0}, {1, 0, 0, 1},  {1, 0, 0, 1}};
 
 /// Square, so that a picture and a turned one have the same size.
 StressShot orientation(double value, Extent size)
@@ -30,7 +21,7 @@ StressShot orientation(double value, Extent size)
     StressShot shot = sceneShot(testView(), {side, side});
     shot.radius = 1;
     shot.block_px = noiseBlock(size);
-    shot.turned = turnOf(kind);
+    shot.turned = kTurns[kind];
     glm::dmat4 turn(shot.turned), mirror(1.0);
     if (kind == 7) {  // depth from 0 to 1, before the viewport halves it again
         turn[2][2] = 0.5;
@@ -79,21 +70,13 @@ std::vector<StressCase> cameraCases()
          "",
          kinds({"ordinary", "flipped in y", "flipped in x", "turned by 90", "turned by 180",
                 "turned by 270", "left-handed", "from 0 to 1 in depth"}),
-         0,
-         E::same,
-         orientation,
-         {"where the projection is {}"}},
+         0, E::same, orientation, "where the projection is {}"},
         {"wall_walk", "An inner corner from ever nearer, radius 0.8: it gets darker.",
          "scene units", steps({4, 2, 1, 0.5, 0.25, 0.12, 0.03}), 0, E::darkens, wallWalk,
          kTallRadius},
-        {"low_eye",
-         "The test scene from ever closer to its floor, under a radius of 1.",
-         "scene units",
-         steps({1, 0.3, 0.1, 0.03, 0.01, 0.001}),
-         0,
-         E::sound,
-         lowEye,
-         {"where the camera is lower than {} radii over the floor"}},
+        {"low_eye", "The test scene from ever closer to its floor, under a radius of 1.",
+         "scene units", steps({1, 0.3, 0.1, 0.03, 0.01, 0.001}), 0, E::sound, lowEye,
+         "where the camera is lower than {} radii over the floor"},
     };
 }
 

@@ -195,7 +195,7 @@ StressShot farAway(double, Extent size)
 std::vector<StressCase> extremeCases()
 {
     using E = Expectation;
-    const StressCondition with = {"with {}"}, lit = {"in the lit picture with {}"};
+    const StressCondition with = "with {}", lit = "in the lit picture with {}";
     return {
         {"radius_to_zero",
          "The test scene under ever smaller radii.",
@@ -212,7 +212,7 @@ std::vector<StressCase> extremeCases()
          8,
          E::opens,
          sceneRadius,
-         {},
+         "",
          kSmallRadius},
         {"corner_radius", "An inner corner under larger radii.", "scene units",
          steps({0.001, 0.01, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 6.4, 25.6, 100, 1e4}), 6, E::darkens,
@@ -231,25 +231,12 @@ std::vector<StressCase> extremeCases()
                 "no triangles", "flattened", "shrunk to a point", "mirrored", "stretched 1e6:1",
                 "texture coordinates of NaN", "normal maps of NaN"}),
          0, E::sound, sceneMeshes, with},
-        {"lights",
-         "Lights on a plane, without attenuation, too bright; extreme highlights.",
-         "",
+        {"lights", "Lights on a plane, without attenuation, too bright; extreme highlights.", "",
          kinds({"ordinary", "on the surface", "no attenuation", "shininess 0", "shininess 1e6",
                 "intensity 1e6", "at the camera", "no direction", "all of it"}),
-         0,
-         E::sound,
-         planeLights,
-         {"under lights ({})"}},
-        {"ambient_alone",
-         "Ambient light alone: the colour is that without occlusion, times it.",
-         "",
-         kinds({"no occlusion", "occlusion"}),
-         0,
-         E::dims,
-         ambientAlone,
-         lit,
-         {},
-         kSameLight},
+         0, E::sound, planeLights, "under lights ({})"},
+        {"ambient_alone", "Ambient light alone: the colour is that without occlusion, times it.",
+         "", kinds({"no occlusion", "occlusion"}), 0, E::dims, ambientAlone, lit, "", kSameLight},
         {"light_behind", "A light behind a plane adds nothing to it and takes nothing away.", "",
          kinds({"no light", "a directional light", "a point"}), 0, E::same, lightBehind, lit},
         {"background", "The test scene from afar: what shows no surface is open.", "",

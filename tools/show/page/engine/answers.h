@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What exported functions share: the engine, and answers as JSON text.
+// What exported functions share: answers as JSON text.
 #pragma once
 
-#include "tools/show/page/engine/engine.h"
+#include <crevice/result.h>
 
 #include <emscripten.h>
 #include <nlohmann/json.hpp>
@@ -13,19 +13,16 @@ namespace crevice::page {
 
 using Json = nlohmann::json;
 
-/// Lives as long as the page.
-extern Engine engine;
-
 /// Good until the next call.
 const char* say(std::string text);
 const char* say(const Json& json);
 
 /// {"ok", "diagnostics"}.
 Json answer(const Diagnostics& diagnostics);
-inline Json answer(const Status& status) { return answer(status.diagnostics()); }
 
+/// Of a Status or Result.
 template <class T>
-Json answer(const Result<T>& result)
+Json answer(const T& result)
 {
     return answer(result.diagnostics());
 }

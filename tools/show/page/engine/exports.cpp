@@ -1,33 +1,142 @@
 // SPDX-License-Identifier: MIT
-// The engine as functions that JavaScript calls: numbers and text in, JSON out.
+// The page's library: a canvas, a scene in it, configs that draw it, and what is known of them; as
+// functions that JavaScript calls, numbers and text in, JSON out.
 // src/engine/engine.js is its other side, and documents them.
 //
 // What is returned is good until the next call. An answer has "ok" and "diagnostics".
 #include "tools/show/page/engine/answers.h"
-#include "tools/show/page/engine/engine.h"
+#include "tools/show/page/engine/display.h"
+#include "tools/show/page/engine/slot.h"
+#include "tools/show/page/engine/stage.h"
+#include "tools/show/page/engine/texts.h"
 
-#include <crevice/shipped.h>
+#include <crevice/gl_device.h>
 
 #include "tools/render/image/image_metrics.h"
+#include "tools/render/read_output.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/scene_bytes.h"
 #include "tools/show/plan/print.h"
-#include "tools/show/schema/schema.h"
 
+#include <emscripten/html5.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 
 namespace crevice::page {
-
-Engine engine;
 
 namespace {
 
 constexpr double kHeatRange = 0.25;  // of visibility: an error of that is full colour
 
-std::string scene_bytes;
-Image read_image;
+/// Lives as long as the page.
+struct {
+    std::unique_ptr<Device> device;
+    std::optional<Display> display;
+    std::optional<Stage> stage;
+    std::array<Slot, 4> slots;
+    Frame frame;  // of the last draw
+    Extent extent;
+    std::string scene_bytes;
+    Image read_image;
+} engine;
+
+/// A slot, and which of its outputs, views or targets.
+struct Side {
+    int slot = 0;
+    std::string show;
+};
+
+/// Makes a WebGL 2 context on the canvas that the selector names. Errors: those of makeGlDevice and
+/// Display::create; CV6004 where the browser gives no context.
+Status openCanvas(const std::string& canvas, const std::string& display_config,
+                  const std::string& display_shader, Extent size)
+{
+    EmscriptenWebGLContextAttributes wanted;
+    emscripten_webgl_init_context_attributes(&wanted);
+    wanted.majorVersion = 2;
+    wanted.alpha = wanted.antialias = wanted.depth = false;
+    wanted.preserveDrawingBuffer = true;  // so that the picture can be saved at any time
+    const auto context = emscripten_webgl_create_context(canvas.c_str(), &wanted);
+    if (context <= 0)
+        return Diagnostic{Code::gl_version, "this browser gives no WebGL 2 context",
+                          "switch hardware acceleration on, or try another browser"};
+    emscripten_webgl_make_context_current(context);
+    GlDeviceOptions options;
+    // The context is the page's alone, and to ask for its state takes 10 ms a frame.
+    options.restore_state = false;
+    auto made = makeGlDevice(emscripten_webgl_get_proc_address, options);
+    if (!made) return made.diagnostics();
+    Result<Display> shown = Display::create(**made, display_config, display_shader, size);
+    if (!shown) return shown.diagnostics();
+    engine.device = std::move(*made);
+    engine.display = std::move(*shown);
+    engine.stage.emplace(*engine.device);
+    engine.extent = size;
+    return {};
+}
+
+/// Of the display and of all slots. Errors: those of Renderer::resize.
+Status resizeAll(Extent size)
+{
+    Status status = engine.display->resize(size);
+    if (!status) return status;
+    engine.extent = size;
+    Diagnostics diagnostics;
+    for (Slot& slot : engine.slots)
+        if (slot.loaded()) append(diagnostics, slot.renderer().resize(size).diagnostics());
+    return diagnostics;
+}
+
+/// What a slot shows under a name, as values. Errors: those of sourceOf and Device::readTexture.
+Result<Image> readPicture(const Side& side)
+{
+    const Slot& slot = engine.slots[side.slot];
+    const Result<OutputSource> source = slot.sourceOf(side.show);
+    if (!source) return source.diagnostics();
+    return readOutput(*engine.device, slot.renderer(), source->output);
+}
+
+Result<Shown> shownOf(const Side& side)
+{
+    const Slot& slot = engine.slots[side.slot];
+    const Result<OutputSource> source = slot.sourceOf(side.show);
+    if (!source) return source.diagnostics();
+    const TextureId texture = slot.renderer().output(source->output);
+    const FormatInfo& format = formatInfo(engine.device->info(texture).format);
+    const bool plain = source->scale == 1.0f && source->offset == 0.0f;
+    const bool bounded = format.format_class == FormatClass::unorm || side.show == "color";
+    if (!plain || bounded)
+        return Shown{texture, source->scale, source->offset, format.channels == 1};
+    const Result<Image> image = engine.device->readTexture(texture);
+    if (!image) return image.diagnostics();
+    return stretched(texture, *image, format.format_class == FormatClass::depth);
+}
+
+/// Draws both sides' slots, and the canvas, of whose width `share` shows `left`. Errors: those of
+/// chooseCamera, of Renderer::render and of sourceOf.
+Status drawSides(const std::string& camera, const Side& left, const Side& right, float share)
+{
+    const Result<SceneCamera> chosen = engine.stage->camera(camera, engine.extent);
+    if (!chosen) return chosen.diagnostics();
+    engine.frame = engine.stage->frameOf(*chosen, engine.extent);
+    const bool split = share < 1.0f;
+    Diagnostics diagnostics;
+    Status drawn = engine.slots[left.slot].renderer().render(engine.frame);
+    append(diagnostics, drawn.diagnostics());
+    if (drawn && split && right.slot != left.slot) {
+        drawn = engine.slots[right.slot].renderer().render(engine.frame);
+        append(diagnostics, drawn.diagnostics());
+    }
+    if (!drawn) return diagnostics;
+    const Result<Shown> one = shownOf(left);
+    if (!one) return one.diagnostics();
+    const Result<Shown> other = split ? shownOf(right) : one;
+    if (!other) return other.diagnostics();
+    append(diagnostics, engine.display->draw(*one, *other, share).diagnostics());
+    return diagnostics;
+}
 
 /// What was drawn, planned or compiled, and how long that took.
 template <class Change>
@@ -52,7 +161,7 @@ const char* methodOf(TimingMethod method)
 
 Json timesJson(int slot, const FrameTimes& times)
 {
-    const Plan& plan = engine.slot(slot).renderer().plan();
+    const Plan& plan = engine.slots[slot].renderer().plan();
     Json json = {
         {"passes", Json::array()}, {"total_ms", times.total_ms}, {"by", methodOf(times.method)}};
     for (std::size_t i = 0; i < times.pass_ms.size(); ++i)
@@ -65,32 +174,10 @@ Json timesJson(int slot, const FrameTimes& times)
 EXPORT const char* page_open(const char* canvas, const char* config, const char* shader, int width,
                              int height)
 {
-    Json json = answer(engine.open(canvas, config, shader, {width, height}));
-    if (json["ok"]) json["timer"] = engine.device().caps().timers;
+    Json json = answer(openCanvas(canvas, config, shader, {width, height}));
+    if (json["ok"]) json["timer"] = engine.device->caps().timers;
     return say(json);
 }
-
-/// The text in force, or the shipped one; null where there is none.
-EXPORT const char* page_source(const char* path, int shipped)
-{
-    const SourceRef source =
-        shipped ? shippedSources().find(path) : engine.texts().sources().find(path);
-    return say(source ? Json(source->text) : Json(nullptr));
-}
-
-EXPORT void page_set_source(const char* path, const char* text)
-{
-    if (text)
-        engine.texts().set(path, text);
-    else
-        engine.texts().reset(path);
-}
-
-EXPORT const char* page_edited_paths() { return say(Json(engine.texts().edited())); }
-
-EXPORT const char* page_configs() { return say(engine.texts().configs()); }
-
-EXPORT const char* page_schema() { return say(schemaJson(engine.texts().sources())); }
 
 // ---- Scenes
 
@@ -105,7 +192,7 @@ EXPORT const char* page_builtin_scenes()
 EXPORT const char* page_show_builtin_scene(const char* name)
 {
     Result<Scene> scene = builtinScene(name);
-    return say(scene ? answer(engine.stage().show(std::move(*scene))) : answer(scene));
+    return say(scene ? answer(engine.stage->show(std::move(*scene))) : answer(scene));
 }
 
 EXPORT const char* page_show_scene_bytes(const char* data, int size, const char* name)
@@ -113,25 +200,25 @@ EXPORT const char* page_show_scene_bytes(const char* data, int size, const char*
     Result<Scene> scene = sceneFromBytes({data, static_cast<std::size_t>(size)});
     if (!scene) return say(answer(scene));
     scene->name = name;
-    return say(answer(engine.stage().show(std::move(*scene))));
+    return say(answer(engine.stage->show(std::move(*scene))));
 }
 
-EXPORT const char* page_scene() { return say(engine.stage().state()); }
+EXPORT const char* page_scene() { return say(engine.stage->state()); }
 
 EXPORT int page_scene_bytes()
 {
-    scene_bytes = sceneBytes(engine.stage().scene());
-    return static_cast<int>(scene_bytes.size());
+    engine.scene_bytes = sceneBytes(engine.stage->scene());
+    return static_cast<int>(engine.scene_bytes.size());
 }
 
-EXPORT const char* page_bytes() { return scene_bytes.data(); }
+EXPORT const char* page_bytes() { return engine.scene_bytes.data(); }
 
 // ---- Cameras
 
 EXPORT const char* page_resolve_camera(const char* text, double aspect)
 {
     const Extent extent = {static_cast<int>(std::lround(1000 * aspect)), 1000};
-    const Result<Json> camera = engine.stage().resolve(text, extent);
+    const Result<Json> camera = engine.stage->resolve(text, extent);
     Json json = answer(camera);
     if (camera) json.update(*camera);
     return say(json);
@@ -148,35 +235,38 @@ EXPORT const char* page_load(int slot, const char* text)
     request.outputs = json.value("outputs", std::vector<std::string>{"color", "ao"});
     request.look = json.value("look", "");
     request.without_occlusion = json.value("without_occlusion", false);
-    return say(measured([&] { return engine.load(slot, request); }));
+    return say(measured([&] {
+        return engine.slots[slot].load(*engine.device, sources(), request, engine.extent,
+                                       engine.frame);
+    }));
 }
 
 EXPORT const char* page_state(int slot)
 {
-    return say(engine.slot(slot).loaded() ? engine.slot(slot).state() : Json(nullptr));
+    return say(engine.slots[slot].loaded() ? engine.slots[slot].state() : Json(nullptr));
 }
 
-EXPORT const char* page_plan(int slot) { return say(toJson(engine.slot(slot).renderer().plan())); }
+EXPORT const char* page_plan(int slot) { return say(toJson(engine.slots[slot].renderer().plan())); }
 
 EXPORT const char* page_plan_text(int slot)
 {
-    return say(toText(engine.slot(slot).renderer().plan()));
+    return say(toText(engine.slots[slot].renderer().plan()));
 }
 
 EXPORT const char* page_set_param(int slot, const char* name, const char* values)
 {
     const auto numbers = Json::parse(values).get<std::vector<float>>();
-    return say(measured([&] { return engine.slot(slot).setParam(name, numbers); }));
+    return say(measured([&] { return engine.slots[slot].setParam(name, numbers); }));
 }
 
 EXPORT const char* page_set_feature(int slot, const char* name, const char* word)
 {
-    return say(measured([&] { return engine.slot(slot).setFeature(name, word); }));
+    return say(measured([&] { return engine.slots[slot].setFeature(name, word); }));
 }
 
 EXPORT const char* page_patch(int slot)
 {
-    const Result<std::string> patch = engine.slot(slot).patch(engine.texts().sources());
+    const Result<std::string> patch = engine.slots[slot].patch(sources());
     Json json = answer(patch);
     if (patch) json["text"] = *patch;
     return say(json);
@@ -186,25 +276,22 @@ EXPORT const char* page_patch(int slot)
 
 EXPORT const char* page_resize(int width, int height)
 {
-    return say(answer(engine.resize({width, height})));
+    return say(answer(resizeAll({width, height})));
 }
 
 EXPORT const char* page_draw(const char* text)
 {
     const Json json = Json::parse(text);
-    DrawRequest request;
-    request.camera = json.value("camera", "");
-    request.left = sideOf(json["left"]);
-    if (json.contains("right") && json["right"].is_object()) {
-        request.right = sideOf(json["right"]);
-        request.split = json.value("split", 0.5f);
-    }
-    return say(measured([&] { return engine.draw(request); }));
+    const bool split = json.contains("right") && json["right"].is_object();
+    const Side right = split ? sideOf(json["right"]) : Side();
+    const float share = split ? json.value("split", 0.5f) : 1.0f;
+    return say(measured(
+        [&] { return drawSides(json.value("camera", ""), sideOf(json["left"]), right, share); }));
 }
 
 EXPORT const char* page_timed(int slot)
 {
-    const Result<FrameTimes> times = engine.timed(slot);
+    const Result<FrameTimes> times = engine.slots[slot].renderer().renderTimed(engine.frame);
     Json json = answer(times);
     if (times) json.update(timesJson(slot, *times));
     return say(json);
@@ -212,40 +299,45 @@ EXPORT const char* page_timed(int slot)
 
 EXPORT const char* page_start_timing(int slot, int on)
 {
-    return say(answer(engine.slot(slot).renderer().setTiming(on != 0)));
+    return say(answer(engine.slots[slot].renderer().setTiming(on != 0)));
 }
 
-EXPORT const char* page_again(int slot) { return say(answer(engine.again(slot))); }
+/// Draws every pass anew for the view that was drawn last, without a wait.
+EXPORT const char* page_again(int slot)
+{
+    ++engine.frame.revision;
+    return say(answer(engine.slots[slot].renderer().render(engine.frame)));
+}
 
 /// What the latest frames took that were measured without a wait; null before there are any.
 EXPORT const char* page_times(int slot)
 {
     const FrameTimes* times =
-        engine.slot(slot).loaded() ? engine.slot(slot).renderer().times() : nullptr;
+        engine.slots[slot].loaded() ? engine.slots[slot].renderer().times() : nullptr;
     return say(times ? timesJson(slot, *times) : Json(nullptr));
 }
 
 /// Reads what a slot shows into page_pixels: {"extent", "channels", "format"}.
 EXPORT const char* page_read(int slot, const char* show)
 {
-    Result<Image> read = engine.read({slot, show});
+    Result<Image> read = readPicture({slot, show});
     Json json = answer(read);
     if (!read) return say(json);
-    read_image = std::move(*read);
-    json["extent"] = {read_image.extent.width, read_image.extent.height};
-    json["channels"] = read_image.channels;
+    engine.read_image = std::move(*read);
+    json["extent"] = {engine.read_image.extent.width, engine.read_image.extent.height};
+    json["channels"] = engine.read_image.channels;
     return say(json);
 }
 
-EXPORT const float* page_pixels() { return read_image.pixels.data(); }
+EXPORT const float* page_pixels() { return engine.read_image.pixels.data(); }
 
 /// Reads a slot's "ao" and compares it with `truth`, of the canvas's size; `heat`, where it is not
 /// null, becomes the difference as 4 bytes a pixel, highest row first.
 EXPORT const char* page_compare(int slot, const float* truth, std::uint8_t* heat)
 {
-    const Result<Image> ao = engine.read({slot, "ao"});
+    const Result<Image> ao = readPicture({slot, "ao"});
     if (!ao) return say(answer(ao));
-    Image ground_truth(engine.extent(), 1);
+    Image ground_truth(engine.extent, 1);
     std::copy(truth, truth + ground_truth.pixels.size(), ground_truth.pixels.begin());
     const auto figures = compareImages(*ao, ground_truth, nullptr, 0.05, false);
     Json json = answer(figures);

@@ -2,17 +2,21 @@
 // Texts and what was edited of them.
 #include "tools/show/page/engine/texts.h"
 
+#include "tools/show/page/engine/answers.h"
+
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
-#include <nlohmann/json.hpp>
+#include "tools/show/schema/schema.h"
 
 namespace crevice::page {
 namespace {
 
-std::string descriptionOf(const SourceSet& sources, const std::string& name)
+MemorySources edits;
+
+std::string descriptionOf(const std::string& name)
 {
-    const SourceRef source = sources.find("configs/" + name + ".json");
+    const SourceRef source = sources().find("configs/" + name + ".json");
     if (!source) return {};
     const Result<Node> document = parseDocument(source);
     const Node* text = document ? document->find("description") : nullptr;
@@ -21,32 +25,49 @@ std::string descriptionOf(const SourceSet& sources, const std::string& name)
 
 }  // namespace
 
-Texts::Texts() : all_({&edits_, &shippedSources()}) {}
-
-void Texts::reset(const std::string& path)
+const SourceSet& sources()
 {
+    static const LayeredSources all({&edits, &shippedSources()});
+    return all;
+}
+
+/// The text in force, or the shipped one; null where there is none.
+EXPORT const char* page_source(const char* path, int shipped)
+{
+    const SourceRef source = shipped ? shippedSources().find(path) : sources().find(path);
+    return say(source ? Json(source->text) : Json(nullptr));
+}
+
+/// Puts a text over the shipped one of that path, or beside the shipped ones; null takes it away.
+EXPORT void page_set_source(const char* path, const char* text)
+{
+    if (text) return edits.add(path, text);
     MemorySources kept;
-    for (const std::string& each : edits_.list())
-        if (each != path) kept.add(each, edits_.find(each)->text);
-    edits_ = std::move(kept);
+    for (const std::string& each : edits.list())
+        if (each != path) kept.add(each, edits.find(each)->text);
+    edits = std::move(kept);
 }
 
-std::vector<std::string> Texts::edited() const
+/// Paths whose text is not the shipped one, sorted.
+EXPORT const char* page_edited_paths()
 {
-    std::vector<std::string> paths;
-    for (const std::string& path : edits_.list()) {
+    auto paths = Json::array();
+    for (const std::string& path : edits.list()) {
         const SourceRef shipped = shippedSources().find(path);
-        if (!shipped || shipped->text != edits_.find(path)->text) paths.push_back(path);
+        if (!shipped || shipped->text != edits.find(path)->text) paths.push_back(path);
     }
-    return paths;
+    return say(paths);
 }
 
-nlohmann::json Texts::configs() const
+/// [{"name", "description"}] of all configs; the description is empty where it cannot be read.
+EXPORT const char* page_configs()
 {
-    auto list = nlohmann::json::array();
-    for (const std::string& name : configNames(all_))
-        list.push_back({{"name", name}, {"description", descriptionOf(all_, name)}});
-    return list;
+    auto list = Json::array();
+    for (const std::string& name : configNames(sources()))
+        list.push_back({{"name", name}, {"description", descriptionOf(name)}});
+    return say(list);
 }
+
+EXPORT const char* page_schema() { return say(schemaJson(sources())); }
 
 }  // namespace crevice::page

@@ -4,6 +4,7 @@ import {$, add, debounce, fillSelect, press} from "./dom.js";
 import {shown} from "./scale.js";
 import {Truth} from "./engine/truth.js";
 
+const HINT = "Press Truth: the view is ray-traced here, and AO is compared with it.";
 const RAYS = [16, 64, 256, 1024];
 const TRACE_AFTER_MS = 300;      // of the last move
 const SHOW_EVERY_MS = 150;       // while rays come in
@@ -31,7 +32,7 @@ export class TruthView {
   build(card) {
     const {app} = this;
     add(card, "h2", {}, "Against the truth");
-    this.hint = add(card, "p", {class: "soft"}, "Press Truth: the view is ray-traced here, and AO is compared with it.");
+    this.hint = add(card, "p", {class: "soft"}, HINT);
     const row = add(card, "div", {class: "row"});
     const rays = add(add(row, "label", {}, "Rays a pixel "), "select", {id: "truth-rays", onchange: e => {
       this.rays = Number(e.target.value);
@@ -132,9 +133,8 @@ export class TruthView {
     this.numbers.bias.textContent = figures ? signed(figures.bias) : "–";
     this.numbers.bias.title = figures ? (figures.bias >= 0 ? "too bright" : "too dark") : "";
     this.numbers.p99.textContent = figures ? figures.p99.toFixed(4) : "–";
-    this.hint.textContent = this.on
-      ? `AO of A minus the truth within ${shown(radiusOf(this.app))} scene units, A's radius:`
-      : "Press Truth: the view is ray-traced here, and AO is compared with it.";
+    this.hint.textContent =
+      this.on ? `AO of A minus the truth within ${shown(radiusOf(this.app))} scene units, A's radius:` : HINT;
   }
 
   drawOverlay(picture) {

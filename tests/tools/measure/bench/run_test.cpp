@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The engine without GL: failures, the time budget, and going on after what may stop it.
-#include "tools/measure/run.h"
+#include "tools/measure/bench/run.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/measure/run_options.h"
+#include "tools/measure/bench/run_options.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,18 +15,20 @@ using namespace crevice;
 
 namespace {
 
-/// Keys of a to f, each of which takes ten seconds.
+/// Samples a to f, each of which takes ten seconds.
 struct FakeRun {
     FakeRun()
     {
-        for (const char* key : {"a", "b", "c", "d", "e", "f"})
-            job.tasks.push_back({key, "task " + std::string(key), {}});
-        job.measure = [this](std::size_t task) -> Result<Measured> {
+        for (const char* name : {"a", "b", "c", "d", "e", "f"}) {
+            plan.tasks.emplace_back();
+            plan.tasks.back().sample.config = plan.tasks.back().sample.key = name;
+        }
+        world.measure = [this](const BenchTask& task) -> Result<BenchSample> {
             now += 10;
-            order += job.tasks[task].key;
-            if (job.tasks[task].key == fails) return Diagnostic{Code::gl_error, "it broke"};
+            order += task.sample.config;
+            if (task.sample.config == fails) return Diagnostic{Code::gl_error, "it broke"};
             if (order.size() == full_after) return Diagnostic{Code::cannot_write, "no space"};
-            return {Measured{"{\"key\":\"" + job.tasks[task].key + "\"}", "fine"}, warnings};
+            return {task.sample, warnings};
         };
         world.seconds = [this] { return now; };
         world.interrupted = [this] { return order.size() >= stop_after; };
@@ -36,20 +38,16 @@ struct FakeRun {
 
     MeasureSummary run(const TemporaryFolder& folder)
     {
-        LineFile file = need(LineFile::open(pathIn(folder)));
-        const Diagnostics read = readLines(
-            file.path(), {"task", "a test"},
-            [this](nlohmann::json&& line) { job.done.insert(line.at("key").get<std::string>()); });
-        REQUIRE_FALSE(hasErrors(read));
-        return measureAll(job, file, world);
+        BenchFile file = need(openBench(folder.path.string()));
+        return measureAll(plan, file, world);
     }
 
     static std::string pathIn(const TemporaryFolder& folder)
     {
-        return (folder.path / "lines.jsonl").string();
+        return (folder.path / "results.jsonl").string();
     }
 
-    MeasureJob job;
+    BenchPlan plan;
     MeasureWorld world;
     Diagnostics warnings;
     double now = 100;
@@ -76,18 +74,15 @@ TEST_CASE("A second run measures nothing again but tries failures once more")
     const TemporaryFolder folder("measure_resume");
     FakeRun first;
     first.fails = "c";
-    first.job.tasks[4].failure = "there is no such scene";
-    first.job.failure_line = [](std::size_t task, const std::string& failure) {
-        return "{\"key\":\"" + std::to_string(task) + "\",\"failure\":\"" + failure + "\"}";
-    };
+    first.plan.tasks[4].sample.failure = "there is no such scene";
     const MeasureSummary broken = first.run(folder);
     CHECK(broken.measured == 4);
-    CHECK(broken.failures ==
-          std::vector<std::string>{"task c: CV6005: it broke", "task e: there is no such scene"});
+    CHECK(broken.failures == std::vector<std::string>{"c, , 0x0: CV6005: it broke",
+                                                      "e, , 0x0: there is no such scene"});
     CHECK(first.order == "abcdf");
-    CHECK(first.lines[0] == "[1/6] task a: fine; about 50 s left");
-    CHECK(first.lines[2].find("[3/6] task c: failed: CV6005: it broke; about") == 0);
-    CHECK(first.lines[5] == "[6/6] task f: fine");
+    CHECK(first.lines[0] == "[1/6] a, , 0x0: rmse 0.0000, 0.00 ms, 0.00 x copy; about 50 s left");
+    CHECK(first.lines[2].find("[3/6] c, , 0x0: failed: CV6005: it broke; about") == 0);
+    CHECK(first.lines[5] == "[6/6] f, , 0x0: rmse 0.0000, 0.00 ms, 0.00 x copy");
 
     FakeRun mended;
     const MeasureSummary second = mended.run(folder);
@@ -117,7 +112,7 @@ TEST_CASE("The time budget, an interrupt and a full disk end a run that goes on 
         const MeasureSummary summary = stopped.run(folder);
         CHECK(summary.measured == row.measured);
         REQUIRE(static_cast<int>(summary.missing.size()) == 6 - row.measured);
-        CHECK(summary.missing[0] == "task " + std::string(1, row.left[0]));
+        CHECK(summary.missing[0] == std::string(1, row.left[0]) + ", , 0x0");
         CHECK(summary.interrupted == (stopped.stop_after < 6));
         CHECK(linesIn(folder) == row.measured);
         CHECK(summary.written.ok() == (stopped.full_after > 6));

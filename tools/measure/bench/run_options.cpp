@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/measure/run_options.h"
+#include "tools/measure/bench/run_options.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
@@ -34,13 +34,13 @@ void printSummary(const MeasureSummary& summary, const std::string& file)
 
 }  // namespace
 
-void addRunOptions(CLI::App& app, RunOptions& options, const std::string& task,
-                   const std::string& kept)
+void addRunOptions(CLI::App& app, RunOptions& options)
 {
     app.add_option("--time-budget", options.time_budget,
-                   "Begin no " + task + " after this time: 90s, 5m, 1.5h");
+                   "Begin no bench sample after this time: 90s, 5m, 1.5h");
     app.add_option("--out", options.out,
-                   "Folder for " + kept + "; what is there already is not measured again")
+                   "Folder for results.jsonl and pictures; what is there already is not measured "
+                   "again")
         ->type_name("FOLDER")
         ->capture_default_str();
 }
@@ -57,10 +57,9 @@ Result<double> timeBudgetOf(const RunOptions& options)
                       "write --time-budget 90s, 5m or 1.5h"};
 }
 
-MeasureSummary measureOnConsole(const MeasureJob& job, LineFile& file, double time_budget_s,
+MeasureSummary measureOnConsole(const BenchPlan& plan, BenchFile& file, MeasureWorld world,
                                 Progress& progress)
 {
-    MeasureWorld world;
     world.seconds = clockSeconds;
     world.interrupted = interrupted;
     world.begin = [&progress](const std::string& title) { progress.begin("measuring " + title); };
@@ -68,12 +67,11 @@ MeasureSummary measureOnConsole(const MeasureJob& job, LineFile& file, double ti
         progress.wipe();
         printMessage("%s\n", printableLine(line).c_str());
     };
-    world.time_budget_s = time_budget_s;
     catchInterrupts();
-    MeasureSummary summary = measureAll(job, file, world);
+    MeasureSummary summary = measureAll(plan, file, world);
     progress.wipe();
     report(summary.written.diagnostics(), false);
-    printSummary(summary, file.path());
+    printSummary(summary, file.lines.path());
     return summary;
 }
 
