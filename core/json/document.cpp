@@ -73,7 +73,7 @@ void appendUtf8(std::string& out, std::uint32_t code)
 {
     if (code < 0x80) return out.push_back(static_cast<char>(code));
     const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
-    out += static_cast<char>((0xF00u >> more & 0xF0u) | code >> 6 * more);
+    out += static_cast<char>((0xF0u << (3 - more) & 0xF0u) | code >> 6 * more);
     for (int i = more; i-- > 0;) out += static_cast<char>(0x80u | (code >> 6 * i & 0x3Fu));
 }
 
