@@ -4,8 +4,6 @@
 // Comments (// and /* */) and a comma behind the last entry are read. All else is strict, because a
 // swallowed typo costs an afternoon: duplicate keys, numbers that no double holds, bad UTF-8, a
 // byte order mark, more than 64 levels, 1024 members of an object or 1 MiB are errors.
-// nlohmann-json's SAX parser does the reading; its DOM is too lenient (it keeps the last of two
-// equal keys and reads 16.7 as the int 16).
 #pragma once
 
 #include <crevice/result.h>
