@@ -126,11 +126,17 @@ bool isBelow(const std::string& path, const std::vector<std::string>& folders)
     });
 }
 
-Result<SourceRef> openNamed(const SourceText& by, const std::string& path)
+Status mayName(const SourceText& by, const std::string& path)
 {
     const std::vector<std::string> folders =
         by.roots ? *by.roots : std::vector<std::string>{folderOf(by)};
     if (!isBelow(path, folders)) return outside(path, folders);
+    return {};
+}
+
+Result<SourceRef> openNamed(const SourceText& by, const std::string& path)
+{
+    if (const Status allowed = mayName(by, path); !allowed) return allowed.diagnostics();
     return readFile(path, by.roots);
 }
 

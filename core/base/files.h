@@ -47,12 +47,15 @@ std::vector<std::string> filesBeside(const std::string& path, const std::string&
 /// current folder. A link counts as where it leads, for both.
 bool isBelow(const std::string& path, const std::vector<std::string>& folders);
 
+/// Whether the text `by` may have the file at `path` read. Errors: CV1204, without a place, for one
+/// that lies below none of the text's roots; whether it exists is not looked at.
+Status mayName(const SourceText& by, const std::string& path);
+
 /// Reads the file at `path`, which the text `by` names, for decode and loadConfig: its name is
 /// `path`, its roots are those of `by`. Null where there is none or it cannot be read. One of more
 /// than kMaxDocumentBytes is cut one byte behind that, for whoever parses it to refuse.
 ///
-/// Errors: CV1204, without a place, for a file that lies below none of the roots; whether it exists
-/// is not looked at.
+/// Errors: those of mayName.
 Result<SourceRef> openNamed(const SourceText& by, const std::string& path);
 
 }  // namespace crevice

@@ -3,6 +3,7 @@
 
 #include <crevice/shipped.h>
 
+#include "core/base/files.h"
 #include "tools/commands/cli/config_options.h"
 #include "tools/render/image/image_file.h"
 
@@ -65,8 +66,14 @@ std::string pictureOf(const ImportDesc& import)
 Status HostTextures::readPicture(Device& device, const ImportDesc& import)
 {
     const std::string path = pictureOf(import);
-    std::error_code unreadable;
-    if (path.empty() || !std::filesystem::is_regular_file(path, unreadable)) return {};
+    if (path.empty()) return {};
+    if (const Status allowed = mayName(*import.place.source, path); !allowed) {
+        Diagnostic error = allowed.diagnostics().front();
+        error.place = import.place;
+        error.pointer = import.pointer;
+        return error;
+    }
+    if (readStart(path, 0).missing) return {};
     const Result<Image> image = readImage(path);
     if (!image) return image.diagnostics();
     const auto texture =

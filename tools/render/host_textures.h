@@ -19,7 +19,8 @@ class HostTextures {
 public:
     /// For what the description imports of these and the frame does not have, each in the import's
     /// format where the device draws to that; where that is nothing, nothing is made. Errors: those
-    /// of Renderer::create and Device::createTexture; CV7005 for a picture that is broken.
+    /// of Renderer::create and Device::createTexture; CV7005 for a picture that is broken,
+    /// CV1204 for one that lies, after links, outside of the config's roots.
     static Result<HostTextures> make(Device& device, const Description& description, Extent extent,
                                      const Frame& scene);
 

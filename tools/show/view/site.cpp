@@ -112,10 +112,25 @@ bool Site::isOurs(const std::string& host) const
     return host == "127.0.0.1:" + port_ || host == "localhost:" + port_;
 }
 
+// Whether no page of another site asks, as far as the browser says.
+bool Site::isAskedByOurs(const SiteRequest& request) const
+{
+    constexpr std::string_view kOrigin = "http://";
+    return request.hosts.size() == 1 && isOurs(request.hosts.front()) &&
+           std::all_of(request.origins.begin(), request.origins.end(),
+                       [&](const std::string& origin) {
+                           return startsWith(origin, kOrigin) &&
+                                  isOurs(origin.substr(kOrigin.size()));
+                       }) &&
+           std::all_of(request.sites.begin(), request.sites.end(), [](const std::string& site) {
+               return site == "same-origin" || site == "none";  // typed, or opened by a program
+           });
+}
+
 SiteAnswer Site::answer(const SiteRequest& request) const
 {
-    constexpr std::string_view kOrigin = "http://", kFiles = "files/";
-    if (request.hosts.size() != 1 || !isOurs(request.hosts.front())) return {403};
+    constexpr std::string_view kFiles = "files/";
+    if (!isAskedByOurs(request)) return {403};
     const std::size_t end = 1 + token_.size();
     if (request.path.size() <= end || request.path[0] != '/' || request.path[end] != '/' ||
         !sameSecret(std::string_view(request.path).substr(1, token_.size()), token_))
@@ -124,11 +139,7 @@ SiteAnswer Site::answer(const SiteRequest& request) const
     const bool gets = request.method == "GET" || request.method == "HEAD";
     if (!startsWith(name, kFiles)) return gets ? get(name) : SiteAnswer{405, "", {}, "GET, HEAD"};
     if (request.method != "PUT") return {405, "", {}, "PUT"};
-    const bool ours =
-        std::all_of(request.origins.begin(), request.origins.end(), [&](const std::string& origin) {
-            return startsWith(origin, kOrigin) && isOurs(origin.substr(kOrigin.size()));
-        });
-    return ours ? put(name.substr(kFiles.size()), request) : SiteAnswer{403};
+    return put(name.substr(kFiles.size()), request);
 }
 
 SiteAnswer Site::get(const std::string& name) const

@@ -22,6 +22,7 @@ struct SiteRequest {
     std::string path;                  ///< Without a query, and with %xx as what it stands for.
     std::vector<std::string> hosts;    ///< Each Host that was sent.
     std::vector<std::string> origins;  ///< Each Origin.
+    std::vector<std::string> sites;    ///< Each Sec-Fetch-Site.
     std::vector<std::string> if_match = {};
     std::string body = {};
     bool too_large = false;  ///< The body was cut: it has more than kMaxDocumentBytes.
@@ -63,6 +64,7 @@ public:
 
 private:
     bool isOurs(const std::string& host) const;
+    bool isAskedByOurs(const SiteRequest& request) const;
     SiteAnswer get(const std::string& name) const;
     SiteAnswer put(const std::string& path, const SiteRequest& request) const;
     std::string viewJson() const;

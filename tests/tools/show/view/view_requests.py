@@ -84,6 +84,11 @@ def check_refusals():
     for host in ["evil.example", "evil.example:%d" % port, "127.0.0.1", "127.0.0.1:1", "[::1]:%d" % port]:
         check("403 for host " + host, status("GET", base, host=host) == 403)
         check("403 for a save to host " + host, status("PUT", base + "files/x", b"", host=host) == 403)
+    for headers in [{"Origin": "http://evil.example"}, {"Origin": "null"}, {"Sec-Fetch-Site": "cross-site"},
+                    {"Sec-Fetch-Site": "same-site"}]:
+        check("403 for a page elsewhere: %s" % headers, ask("GET", base, **headers).status == 403)
+    check("a browser's own requests", ask("GET", base, **{"Sec-Fetch-Site": "none"}).status == 200
+          and ask("GET", base, Origin="http://127.0.0.1:%d" % port, **{"Sec-Fetch-Site": "same-origin"}).status == 200)
     check("localhost is this machine", status("GET", base, host="localhost:%d" % port) == 200)
     here = b"Host: 127.0.0.1:%d\r\n" % port
     for hosts in [b"", here + here, here + b"Host: evil.example\r\n"]:

@@ -1,48 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/scene/file/folder.h"
 
+#include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/commands/cli/output.h"
-
-#include <algorithm>
 
 namespace crevice {
 
 namespace fs = std::filesystem;
 
 SceneFolder::SceneFolder(const std::string& scene, const std::vector<std::string>& roots)
-    : scene_(scene)
+    : scene_(scene),
+      roots_(roots)
 {
-    std::vector<fs::path> folders = {fs::path(scene).parent_path()};
-    folders.insert(folders.end(), roots.begin(), roots.end());
-    for (const fs::path& folder : folders) {
-        std::error_code error;
-        const fs::path root = fs::canonical(folder.empty() ? "." : folder, error);
-        if (!error) roots_.push_back(root);
-    }
+    const fs::path folder = fs::path(scene).parent_path();
+    roots_.push_back(folder.empty() ? "." : folder.string());
     opens(scene);
-}
-
-bool SceneFolder::isBelow(const fs::path& file) const
-{
-    std::error_code error;
-    const fs::path real = fs::canonical(file, error);
-    return !error && std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
-        return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first ==
-               root.end();
-    });
 }
 
 bool SceneFolder::allows(const fs::path& file) const
 {
     std::error_code error;
-    return fs::is_regular_file(file, error) && (file == scene_ || isBelow(file));
+    return fs::is_regular_file(file, error) && (file == scene_ || isBelow(file.string(), roots_));
 }
 
 bool SceneFolder::refuses(const fs::path& file)
 {
     std::error_code error;
-    if (file == scene_ || !fs::exists(file, error) || isBelow(file)) return false;
+    if (file == scene_ || !fs::exists(file, error) || isBelow(file.string(), roots_)) return false;
     refused_.insert(file.string());
     return true;
 }

@@ -34,10 +34,8 @@ public:
     Diagnostic warning() const;
 
 private:
-    bool isBelow(const std::filesystem::path& file) const;
-
     std::string scene_;
-    std::vector<std::filesystem::path> roots_;
+    std::vector<std::string> roots_;
     std::set<std::string> refused_;
     std::set<std::string> opened_;
     std::uint64_t bytes_ = 0;
