@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // crevice choose: the best measured config for a time or an error, and why.
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/bench/choice.h"
@@ -41,6 +42,10 @@ struct Answer {
 
 Result<Answer> answerFor(ChooseOptions options)
 {
+    if (options.budget.empty() == (options.error == 0))
+        return Diagnostic{Code::usage, "crevice choose wants one of --budget and --error",
+                          "write --budget 2ms for the most accurate config within a time, or "
+                          "--error 0.06 for the fastest within an error"};
     Answer answer;
     answer.limit = {ChoiceLimit::Kind::error, options.error};
     if (!options.budget.empty()) {
@@ -162,15 +167,13 @@ void addChooseCommand(CLI::App& app, int& exit_code)
         ->add_option("RESULTS", options->results,
                      "Folders of 'crevice bench', or the results files in them")
         ->required();
-    CLI::Option_group* limit = command->add_option_group("Limit");
-    limit->add_option("--budget", options->budget,
-                      "Name the config with the lowest error that adds at most this time to a "
-                      "frame: 2ms, 500us, or 10x for ten times a copy of the depth texture");
-    limit
+    command->add_option("--budget", options->budget,
+                        "Name the config with the lowest error that adds at most this time to a "
+                        "frame: 2ms, 500us, or 10x for ten times a copy of the depth texture");
+    command
         ->add_option("--error", options->error,
                      "Name the fastest config whose rmse is at most this, such as 0.06")
-        ->check(CLI::PositiveNumber);
-    limit->require_option(1);
+        ->check(aboveZero("0.06"));
     command->add_option(
         "--scene", options->scope.scene,
         "Only results of this scene; otherwise each config counts with its worst scene");

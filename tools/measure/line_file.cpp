@@ -128,7 +128,9 @@ std::string jsonLine(const nlohmann::json& json)
 Diagnostics readLines(const std::string& path, const LineKind& kind,
                       const std::function<void(nlohmann::json&&)>& take)
 {
-    const FileBytes file = readBytes(path, kMaxResultBytes);
+    FileBytes file = readBytes(path, kMaxResultBytes);
+    if (!file.bytes.empty() && file.bytes[0] != '{' && file.bytes.find("\n{") == std::string::npos)
+        file.failure = "none of its lines begins with '{'";
     if (!file) {
         return {{Code::results_broken,
                  "no results can be read from '" + path + "': " + file.failure,

@@ -199,11 +199,11 @@ Result<ChoiceLimit> parseBudget(const std::string& text)
     std::string_view unit = text;
     const double number = takeNumber(unit).value_or(0.0);
     if (number > 0.0 && std::isfinite(number)) {
-        if (unit.empty() || unit == "ms") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number};
+        if (unit == "ms") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number};
         if (unit == "us") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number / 1000.0};
         if (unit == "x") return ChoiceLimit{ChoiceLimit::Kind::copy_ratio, number};
     }
-    return scopeError("'" + text + "' is not a time above 0",
+    return scopeError("'" + text + "' is not a time above 0 with its unit",
                       "write --budget 2ms, 500us, or 10x for ten times a depth copy");
 }
 
@@ -238,6 +238,13 @@ Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
                          " configs is better than no ambient occlusion and has " +
                          limitText(limit)};
     if (!beyond.empty()) error.help = "the nearest is " + shortText(list[beyond[0]]);
+    std::vector<std::string> scenes;
+    for (const ResultView& view : candidates.views)
+        if (!contains(scenes, view.scene)) scenes.push_back(view.scene);
+    if (scenes.size() > 1)
+        error.help += (beyond.empty() ? "" : "; ") +
+                      ("each counts with its worst scene; name one, as in --scene " + scenes[0] +
+                       ": " + joined(scenes));
     return error;
 }
 

@@ -50,10 +50,11 @@ Result<double> timeBudgetOf(const RunOptions& options)
     if (options.time_budget.empty()) return 0.0;
     std::string_view unit = options.time_budget;
     const double number = takeNumber(unit).value_or(0.0);
-    const double factor = unit == "" || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+    const double factor = unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
     const double seconds = number * factor;
     if (seconds > 0.0 && std::isfinite(seconds)) return seconds;
-    return Diagnostic{Code::usage, "'" + options.time_budget + "' is not a length of time above 0",
+    return Diagnostic{Code::usage,
+                      "'" + options.time_budget + "' is not a time above 0 with its unit",
                       "write --time-budget 90s, 5m or 1.5h"};
 }
 

@@ -31,8 +31,13 @@ expect 0 'crevice render fine --set samples=16 --scene room' choose results.json
 expect 0 '"config": "fine"' choose results.jsonl --budget 3000us --json
 expect_json
 expect 1 'nearest is quick samples=4' choose results.jsonl --budget 0.1ms
-expect 2 'CV8001' choose results.jsonl
-expect 2 'CV8001' choose results.jsonl --budget 2ms --error 0.1
+expect 2 'CV8001.*one of --budget and --error' choose results.jsonl
+expect 2 'CV8001.*one of --budget and --error' choose results.jsonl --budget 2ms --error 0.1
+expect 2 '500us' choose results.jsonl --budget 2
+sed 's/"room"/"hall"/' results.jsonl | cat results.jsonl - >halls.jsonl
+expect 1 'name one, as in --scene (hall|room): ' choose halls.jsonl --budget 0.1ms
+printf '\211PNG no results' >a.png
+expect 1 "CV7009.*a.png.*none of its lines" choose a.png --error 1
 expect 2 'CV8001' choose results.jsonl --budget soon
 expect 1 'CV4005' choose results.jsonl --budget 2ms --size 3
 
