@@ -88,7 +88,8 @@ Status checkBytes(const Plan& plan, const Description& description)
             " may be: " + std::to_string(plan.textures.size()) + " of them, the largest of " +
             mib(textureBytes(largest)) + " for " + joined(largest.targets),
         "ask for a smaller size, give targets a smaller format or `scale`, or raise "
-        "Limits::bytes (--limit bytes=N)",
+        "Limits::bytes (--limit bytes=" +
+            fixed(bytes, 0) + ")",
         description.place};
 }
 

@@ -33,23 +33,25 @@ struct Checked {
     Result<Plan> plan;
 };
 
-/// The config, and where no variant was asked for and it is right, each of its variants.
-std::vector<Checked> check(const ValidateOptions& options, Extent extent, const SourceSet& sources,
-                           GlslCheck& shaders)
+/// Tells of the config, and where no variant was asked for and it is right, of each of its
+/// variants, as soon as that is known: many take minutes.
+void check(const ValidateOptions& options, Extent extent, const SourceSet& sources,
+           GlslCheck& shaders, const std::function<void(const Checked&)>& tell)
 {
-    std::vector<Checked> checked;
+    bool broken = false;
     const auto plan = [&](const std::string& variant, const Result<Node>& document) {
-        if (!checked.empty() && !checked[0].plan) return;
+        if (broken) return;
         const auto description = document ? decode(*document, sources, options.limits)
                                           : Result<Description>(document.diagnostics());
-        checked.push_back(
-            {options.config, variant, planForEveryScene(description, variant, extent, shaders)});
+        const Checked checked = {options.config, variant,
+                                 planForEveryScene(description, variant, extent, shaders)};
+        broken = variant.empty() && !checked.plan;
+        tell(checked);
     };
     if (options.variant.empty())
         loadVariants(sources, requestOf(options), plan);
     else
         plan(options.variant, loadConfig(sources, requestOf(options)));
-    return checked;
 }
 
 /// What was said before, of the config or of another variant, is not said again.
@@ -89,11 +91,11 @@ int validate(ValidateOptions options)
     for (const std::string& config : options.configs) {
         options.config = config;
         std::set<std::string> said;
-        for (const Checked& each : check(options, *extent, sources, shaders)) {
+        check(options, *extent, sources, shaders, [&](const Checked& each) {
             append(all, each.plan.diagnostics());
-            if (!options.json) printText(each, options.size, said);
+            if (!options.json) return printText(each, options.size, said);
             results.push_back(toJson(each));
-        }
+        });
     }
     if (options.json) printAsJson(results);
     return exitCodeOf(all);

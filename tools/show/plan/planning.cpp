@@ -6,6 +6,7 @@
 #include "core/frame/frame_values.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace crevice {
 
@@ -71,19 +72,32 @@ Result<Plan> planForEveryScene(const Result<Description>& description, const std
 {
     if (!description) return description.diagnostics();
     const std::string variant = name.empty() ? "" : "variant '" + name + "'";
-    const Result<Plan> plan = planFor(*description, usualTraits(), extent);
+    Description roomy = *description;
+    roomy.limits.bytes = std::numeric_limits<double>::infinity();
+    Result<Plan> plan = planFor(roomy, usualTraits(), extent);
     Diagnostics errors = plan ? Diagnostics() : plan.diagnostics();
     if (plan) shaders.add(*plan, variant);
+    Setting largest = {variant, usualTraits()};
     for (const Setting& setting : otherSettings()) {
-        const Result<Plan> other = planFor(*description, setting.traits, extent);
+        const Result<Plan> other = planFor(roomy, setting.traits, extent);
         const std::string with = setting.what + (variant.empty() ? "" : " and " + variant);
         if (other) shaders.add(*other, with);
+        if (plan && other && other->texture_bytes > plan->texture_bytes) {
+            plan->texture_bytes = other->texture_bytes;
+            largest = {with, setting.traits};
+        }
         if (other) continue;
         for (Diagnostic error : other.diagnostics()) {
             if (error.severity != Severity::error) continue;
             error.notes.push_back({{}, "found with " + with});
             addOnce(errors, std::move(error));
         }
+    }
+    if (plan && plan->texture_bytes > description->limits.bytes) {
+        const Result<Plan> refused = planFor(*description, largest.traits, extent);
+        append(errors, refused.diagnostics());
+        if (!largest.what.empty())
+            errors.back().notes.push_back({{}, "found with " + largest.what});
     }
     append(errors, shaders.check(*description));
     cutShort(errors);

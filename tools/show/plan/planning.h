@@ -24,7 +24,7 @@ Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& so
 /// The same plan of a config under a variant, once it plans for every other scene and camera too:
 /// with each trait changed from `usualTraits`, and with all that a scene can have. Errors: also
 /// those of the other plans, and of `shaders` on all of them, each with a note that says where it
-/// was found.
+/// was found. Its bytes are those of the largest of the plans.
 Result<Plan> planForEveryScene(const Result<Description>& description, const std::string& variant,
                                Extent extent, GlslCheck& shaders);
 
