@@ -126,6 +126,21 @@ bool isBelow(const std::string& path, const std::vector<std::string>& folders)
     });
 }
 
+std::string slashed(const SourceText& by, std::string_view name)
+{
+    std::string path;
+    for (const char c : name) {
+        const std::size_t letter = std::string_view("\b\f\n\r\t").find(c);
+        const bool escape = letter != std::string_view::npos;
+        path += escape || c == '\\' ? '/' : c;
+        if (escape) path += "bfnrt"[letter];
+    }
+    if (path == name) return {};
+    if (!isOnDisk(path)) path = "./" + path;
+    const Result<SourceRef> found = openNamed(by, resolvePath(locationOf(by), path));
+    return "paths have '/'" + (found && *found ? ": write '" + path + "'" : "");
+}
+
 Status mayName(const SourceText& by, const std::string& path)
 {
     const std::vector<std::string> folders =

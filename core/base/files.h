@@ -47,6 +47,10 @@ std::vector<std::string> filesBeside(const std::string& path, const std::string&
 /// current folder. A link counts as where it leads, for both.
 bool isBelow(const std::string& path, const std::vector<std::string>& folders);
 
+/// What to write for a name that an editor of Windows gave: "paths have '/'", with the path where
+/// such a file is. Empty for one without a backslash, or what JSON makes of "\t" and the like.
+std::string slashed(const SourceText& by, std::string_view name);
+
 /// Whether the text `by` may have the file at `path` read. Errors: CV1204, without a place, for one
 /// that lies below none of the text's roots; whether it exists is not looked at.
 Status mayName(const SourceText& by, const std::string& path);

@@ -60,7 +60,7 @@ std::string printableBut(std::string_view kept, std::string_view text)
         if (length == 0)
             out += "\xEF\xBF\xBD";
         else if (isControl(text, at) && kept.find(text[at]) == kept.npos)
-            appendEscaped(out, characterAt(text, at).code);
+            appendEscaped(out, codePoint(text, at));
         else
             out += text.substr(at, length);
         at += std::max<std::size_t>(length, 1);
@@ -98,6 +98,11 @@ std::size_t utf8Length(std::string_view text, std::size_t at)
     return characterAt(text, at).length;
 }
 
+std::uint32_t codePoint(std::string_view text, std::size_t at)
+{
+    return characterAt(text, at).code;
+}
+
 std::string_view utf8Prefix(std::string_view text, std::size_t bytes)
 {
     std::size_t end = std::min(bytes, text.size());
@@ -107,7 +112,7 @@ std::string_view utf8Prefix(std::string_view text, std::size_t bytes)
 
 bool isControl(std::string_view text, std::size_t at)
 {
-    const std::uint32_t code = characterAt(text, at).code;
+    const std::uint32_t code = codePoint(text, at);
     return std::any_of(std::begin(kControls), std::end(kControls),
                        [code](const auto& range) { return code >= range[0] && code <= range[1]; });
 }

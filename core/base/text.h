@@ -2,6 +2,7 @@
 // Small helpers for text that messages and documents share.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,9 @@ bool endsWith(std::string_view text, std::string_view end);
 /// Bytes of the UTF-8 character that begins at `at`, 1 to 4; 0 when the bytes there are none
 /// (overlong forms, surrogates and code points above U+10FFFF included). Requires at < text.size().
 std::size_t utf8Length(std::string_view text, std::size_t at);
+
+/// The code point of that character; U+FFFD when the bytes are none.
+std::uint32_t codePoint(std::string_view text, std::size_t at);
 
 /// The first `bytes` of `text`, fewer where a character would be cut in two.
 std::string_view utf8Prefix(std::string_view text, std::size_t bytes);

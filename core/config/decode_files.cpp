@@ -77,7 +77,9 @@ struct FileReader {
             Reported& error =
                 report.at(reference, Code::file_missing,
                           who + " names file '" + reference.name + "', which " + absence(file),
-                          suggestFile(sources, reference.name, file.key, ending));
+                          slashed(writer, reference.name));
+            if (error.help.empty())
+                error.help = suggestFile(sources, reference.name, file.key, ending);
             error.mistake = "file " + file.key;
             return;
         }

@@ -119,9 +119,14 @@ private:
         const ParamDesc* param = findNamed(description_.params, name.name);
         if (!param || report_.errorWithin(param->pointer)) return;
         if (param->type != ParamType::int_ && param->type != type) {
+            std::vector<std::string> others;
+            for (const ParamDesc& each : description_.params)
+                if (each.type == type) others.push_back(each.name);
             report_.at(name, Code::reference_missing,
                        takes + " param '" + name.name + "', which has another type",
-                       "give '" + name.name + "' the type \"" + word(type) + "\"");
+                       others.empty()
+                           ? "give '" + name.name + "' the type \"" + word(type) + "\""
+                           : "name one of type " + std::string(word(type)) + ": " + joined(others));
         } else if (!(param->value[0] >= limits.min && param->value[0] <= limits.max)) {
             const Reference value = referenceAt(document_, param->pointer + "/default");
             Reported& error = report_.at(

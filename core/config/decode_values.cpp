@@ -310,13 +310,23 @@ Place lastPlace(const Node& object)
     return place;
 }
 
+// Of what stands under the name of a module.
+std::string nestedHelp(const std::string& name)
+{
+    return "params are not nested by module: write '" + name + "' without the braces around it";
+}
+
 void checkName(Report& report, const Cursor& cursor)
 {
     if (isName(cursor.key)) return;
-    report.atKey(cursor, Code::bad_name,
-                 "found the name '" + cursor.key + "', wanted snake_case of at most " +
-                     std::to_string(kMaxNameBytes) + " letters, without '__' or 'gl_'",
-                 "write lower-case letters, digits and '_', a letter first: ao_blur");
+    Reported& error =
+        report.atKey(cursor, Code::bad_name,
+                     "found the name '" + cursor.key + "', wanted snake_case of at most " +
+                         std::to_string(kMaxNameBytes) + " letters, without '__' or 'gl_'",
+                     "write lower-case letters, digits and '_', a letter first: ao_blur");
+    if (cursor.key.find('/') == std::string::npos || cursor.node.members.empty()) return;
+    error.help = nestedHelp(cursor.node.members[0].key);
+    error.mistake = "nested " + cursor.pointer;
 }
 
 void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry)
@@ -387,10 +397,15 @@ bool Reader::reportUnknown()
         if (contains(kSections, member.key)) help = "it stands at the top of a config";
         if (help.empty() && !startsWith(help = suggestName(member.key, keys_, "keys"), "did you"))
             help += "; a key of your own begins with 'x-'";
+        const bool nested = !report_.otherSection("", member.key).empty() &&
+                            startsWith(cursor_.pointer, "/params/");
+        if (nested) help = nestedHelp(member.key);
         reported = true;
-        report_.atKey(cursor_.child(member), Code::unknown_key,
-                      "found the key '" + member.key + "', which the format does not have here",
-                      std::move(help));
+        Reported& error =
+            report_.atKey(cursor_.child(member), Code::unknown_key,
+                          "found the key '" + member.key + "', which the format does not have here",
+                          std::move(help));
+        if (nested) error.mistake = "nested " + cursor_.pointer;
     }
     return reported;
 }

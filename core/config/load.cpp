@@ -29,15 +29,20 @@ std::string withSuffix(const std::string& name)
     return endsWith(name, kSuffix) ? name : name + std::string(kSuffix);
 }
 
+// Of a config or module in the sources, as `extends` has it.
+std::string nameOf(const std::string& path)
+{
+    const std::size_t begin = startsWith(path, kConfigs) ? kConfigs.size() : 0;
+    return path.substr(begin, path.size() - kSuffix.size() - begin);
+}
+
 // Configs by name, and modules by path where asked for.
 std::vector<std::string> namesIn(const SourceSet& sources, bool modules)
 {
     std::vector<std::string> names;
     for (const std::string& path : sources.list()) {
-        const bool config = startsWith(path, kConfigs);
-        if (!endsWith(path, kSuffix) || (!config && !modules)) continue;
-        const std::size_t begin = config ? kConfigs.size() : 0;
-        names.push_back(path.substr(begin, path.size() - kSuffix.size() - begin));
+        if (endsWith(path, kSuffix) && (modules || startsWith(path, kConfigs)))
+            names.push_back(nameOf(path));
     }
     return names;
 }
@@ -82,7 +87,9 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
     for (std::string& name : configNames(sources)) names.push_back(std::move(name));
     Diagnostic missing{Code::module_missing,
                        file ? "the file '" + config + "' " + absenceOf(config)
-                            : "there is no config '" + config + "'",
+                       : readStart(config, 0).failure == "it is a folder"
+                           ? "'" + config + "' is a folder, and no config"
+                           : "there is no config '" + config + "'",
                        suggestName(config, names, what)};
     if (!file && !startsWith(missing.help, "did you"))
         missing.help = suggestName(withSuffix(config), names, what);
@@ -93,15 +100,19 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
     return missing;
 }
 
+std::vector<Member>::iterator findMember(Node& object, std::string_view key)
+{
+    return std::find_if(object.members.begin(), object.members.end(),
+                        [&](const Member& member) { return member.key == key; });
+}
+
 // Takes the member out of the object, where it has one.
 std::optional<Node> takeMember(Node& object, std::string_view key)
 {
-    std::vector<Member>& members = object.members;
-    const auto at = std::find_if(members.begin(), members.end(),
-                                 [&](const Member& member) { return member.key == key; });
-    if (at == members.end()) return std::nullopt;
+    const auto at = findMember(object, key);
+    if (at == object.members.end()) return std::nullopt;
     Node value = std::move(at->value);
-    members.erase(at);
+    object.members.erase(at);
     return value;
 }
 
@@ -121,15 +132,20 @@ bool swaps(const std::string& override)
     return !adds(override) && slash != 0 && slash < override.find('=');
 }
 
-// These are taken out of each file, so what is still there was laid over the config.
-void checkTaken(const Node& document, Diagnostics& errors)
+// These are taken out of each file, so what is still there was laid over the config: by `where`, a
+// variant or an override, which the pointer `outer` leads to.
+void checkTaken(Node& document, const std::string& where, const std::string& outer,
+                Diagnostics& errors)
 {
-    for (const Member& member : document.members)
-        if (contains({"extends", "variants", "needs", "replaces"}, member.key))
-            errors.push_back({Code::unknown_key,
-                              "found '" + member.key + "' in a variant or an override",
-                              "write it into a file; --set OLD=NEW swaps a module",
-                              member.key_place, memberPointer("", member.key)});
+    for (const char* key : {"extends", "variants", "needs", "replaces"}) {
+        const auto at = findMember(document, key);
+        if (at == document.members.end()) continue;
+        errors.push_back({Code::unknown_key,
+                          "found '" + at->key + "' in " + where + ", which cannot have it",
+                          "write it into a file of its own; --set OLD=NEW swaps a module",
+                          at->key_place, memberPointer(outer, key)});
+        document.members.erase(at);
+    }
 }
 
 // What distinguishes two files, by whatever path they were reached. A catalog path never begins
@@ -304,16 +320,32 @@ private:
                 if (files[later].extended.count(files[first].identity) > 0) continue;
                 const auto made = madeByBoth(files[first].body, files[later].body);
                 if (!made) continue;
-                errors.push_back(
-                    {Code::module_clash,
-                     "'" + files[later].name + "' and '" + files[first].name + "' both make " +
-                         *made + ", and neither extends the other",
-                     "keep one of the two in 'extends'; one that replaces the other is named last",
-                     files[later].place,
-                     files[later].pointer,
-                     {{files[first].place, "the other one was asked for here"}}});
+                errors.push_back({Code::module_clash,
+                                  "'" + files[later].name + "' and '" + files[first].name +
+                                      "' both make " + *made + ", and neither extends the other",
+                                  wayOut(files[first], files[later]),
+                                  files[later].place,
+                                  files[later].pointer,
+                                  {{files[first].place, "the other one was asked for here"}}});
                 return;
             }
+    }
+
+    // To have `other` in the place of `one`.
+    std::string wayOut(const LoadedFile& one, const LoadedFile& other) const
+    {
+        const SourceRef& asker = one.place.source;
+        if (!asker || asker == other.place.source || !startsWith(asker->path, kConfigs) ||
+            isOnDisk(other.identity))
+            return "keep one of the two in 'extends'; one that replaces the other is named last";
+        std::string modules;
+        for (const LoadedFile& each : files)
+            if (each.place.source == asker)
+                modules += (modules.empty() ? "" : ", ") +
+                           jsonString(nameOf((&each == &one ? other : each).identity));
+        return "write --set " + nameOf(one.identity) + "=" + nameOf(other.identity) +
+               " instead, or in a file, in the place of '" + nameOf(asker->path) +
+               "', \"extends\": [" + modules + "]";
     }
 
     bool mayOpen(const LoadedFile& file)
@@ -355,6 +387,17 @@ private:
         const std::string& name = entry.text;
         Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'", "",
                            entry.place, pointer};
+        missing.help = slashed(from, name);
+        if (!missing.help.empty() && !isOnDisk(name)) return missing;
+        if (endsWith(name, ".frag") || endsWith(name, ".vert") || endsWith(name, ".glsl")) {
+            const std::string module = name.substr(0, name.rfind('.')) + std::string(kSuffix);
+            const auto beside = openNamed(from, resolvePath(locationOf(from), module));
+            missing.message = "'" + name + "' names a shader, and 'extends' takes JSON modules";
+            missing.help = isOnDisk(name) && beside && *beside
+                               ? "write '" + module + "', which is there"
+                               : "name a module whose `shaders` have it";
+            return missing;
+        }
         if (!isOnDisk(name)) {
             const std::string path = name + std::string(kSuffix);
             if (SourceRef source = sources.find(path)) return source;
@@ -383,10 +426,10 @@ private:
         if (*found) return found;
         missing.message = shipped ? "there is no module '" + path + "'"
                                   : "the file '" + path + "' " + absenceOf(path);
-        if (!shipped)
+        if (!shipped && missing.help.empty())
             missing.help =
-                suggestName(withSuffix(name), filesBeside(path, name, kSuffix), "files there") +
-                "; ";
+                suggestName(withSuffix(name), filesBeside(path, name, kSuffix), "files there");
+        if (!missing.help.empty()) missing.help += "; ";
         missing.help +=
             "the path is seen from the folder of '" + from.name + "', and ends in .json";
         return missing;
@@ -474,6 +517,7 @@ void applyVariant(Node& document, const std::vector<LoadedFile>& files, const Lo
     for (const LoadedFile& file : files)
         for (const Member& variant : file.variants)
             if (variant.key == request.variant) mergePatch(document, variant.value, errors);
+    checkTaken(document, "a variant", memberPointer("/variants", request.variant), errors);
     if (contains(names, request.variant)) return;
     errors.push_back({Code::variant_missing,
                       "there is no variant '" + request.variant + "' of '" + request.config + "'",
@@ -528,7 +572,7 @@ Result<Node> mergeFiles(FileLoader& loader, const LoadRequest& request, const Re
                         each.help;
         append(errors, found);
     }
-    checkTaken(document, errors);
+    checkTaken(document, "an override", "", errors);
     cutShort(errors);
     if (!errors.empty()) return errors;
     return document;

@@ -2,6 +2,7 @@
 // JSON text to a tree with places; looking into that, and showing a value in a message.
 #include <crevice/document.h>
 
+#include "core/base/files.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/json/merge.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 namespace crevice {
@@ -22,6 +24,10 @@ constexpr const char* kPairs =
 constexpr const char* kValue =
     "text stands in double quotes, true, false and null are in lower case, and a number is finite "
     "and looks like 12, -0.5 or 1e-3, decimal and without a unit";
+constexpr const char* kPlain =
+    "outside of text JSON is plain: ordinary spaces, straight double quotes \" and hyphens -";
+constexpr const char* kMerge =
+    "a merge left both sides here: keep one, and delete the lines of '<', '=' and '>'";
 
 // The place of `length` bytes at `offset`, as far as its line goes.
 Place placeAt(const SourceRef& source, std::size_t offset, std::size_t length = 1)
@@ -275,8 +281,11 @@ private:
         if (text[0] == '\\') length += std::max<std::size_t>(utf8Length(text, 1), 1);
         if (startsWith(text, "\\u"))
             while (length < text.size() && isWord(text[length])) ++length;
+        const std::string_view whole = text_.substr(0, text_.find_first_of("\"\r\n", at));
+        const std::string path = text[0] == '\\' ? slashed(*source_, whole.substr(at_ + 1)) : "";
         stop({Code::syntax, "found " + quotedToken(text.substr(0, length)) + " in a string",
-              "a backslash is written \\\\, a quote \\\", a tab \\t, a line break \\n",
+              (path.empty() ? "" : path + "; ") +
+                  "a backslash is written \\\\, a quote \\\", a tab \\t, a line break \\n",
               placeAt(source_, at, length)});
         return 0;
     }
@@ -295,14 +304,33 @@ private:
             std::string ignored;
             const std::size_t length = here() == '"' ? readString(ignored) : wordLength();
             if (length == 0) return false;
-            error.message = "found " + quotedToken(text_.substr(at_, length)) + " where " + wanted +
-                            " was wanted";
-            error.help = help;
+            error.message = "found " + quotedToken(text_.substr(at_, length)) + codeOf(at_) +
+                            " where " + wanted + " was wanted";
+            error.help = helpFor(wanted, help);
             error.place = placeAt(source_, at_, length);
         }
         if (container && (at_ == text_.size() || here() == ']' || here() == '}'))
             error.notes.push_back({container->place, "the " + kind + " begins here"});
         return stop(std::move(error));
+    }
+
+    // " (U+00A0)" of a character that is not ASCII.
+    std::string codeOf(std::size_t at) const
+    {
+        char name[16] = "";
+        const std::uint32_t code = codePoint(text_, at);
+        if (code >= 0x80) std::snprintf(name, sizeof(name), " (U+%04X)", unsigned(code));
+        return name;
+    }
+
+    // The way out of what is here, where it is a common slip.
+    const char* helpFor(const std::string& wanted, const char* usual) const
+    {
+        if (codePoint(text_, at_) >= 0x80) return kPlain;
+        for (const char* marker : {"<<<<<<<", "|||||||", "=======", ">>>>>>>"})
+            if (at_ == line_begin_ && startsWith(text_.substr(at_), marker)) return kMerge;
+        const bool comma = wanted == "a key" && at_ == end_ && isDigit(here());
+        return comma && isDigit(text_[at_ - 2]) ? "a number has a decimal point: 0.8" : usual;
     }
 
     // Reports what ends the reading. Nothing behind it can be told.
