@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // crevice bench: error against run time of many configs, scenes, sizes and sample counts.
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/bench/measure.h"
@@ -131,13 +132,13 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
            "each config's own")
         ->type_name("R,...")
         ->delimiter(',')
-        ->check(CLI::PositiveNumber);
+        ->check(aboveZero("0.5,1"));
     app.add_option(
            "--samples", bench.samples,
            "Samples (depth taps) per pixel, such as 4,8,16,32,64. Default: each config's own")
         ->type_name("N,...")
         ->delimiter(',')
-        ->check(CLI::PositiveNumber);
+        ->check(aboveZero("4,16"));
     addList(app, "--set", bench.overrides, "NAME=VALUE",
             "Set a value in every config, as for crevice render; may be repeated");
     addHostDepthOption(app, bench.overrides);

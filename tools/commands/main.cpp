@@ -22,6 +22,34 @@ constexpr std::pair<const char*, const char*> kGone[] = {
     {"--reference", "write crevice reference"},
 };
 
+/// Whether it begins with one of the long dashes that word processors make of two hyphens.
+bool hasLongDash(const std::string& word)
+{
+    const std::string_view start = std::string_view(word).substr(0, 3);
+    return crevice::contains({"\u2010", "\u2011", "\u2012", "\u2013", "\u2014", "\u2212"}, start);
+}
+
+/// Says of arguments in the wrong place where they belong.
+void nameMisplaced(const CLI::App& app, const std::vector<std::string>& arguments,
+                   crevice::Diagnostic& error)
+{
+    const std::vector<std::string> left = app.remaining();
+    const auto dash = std::find_if(arguments.begin(), arguments.end(), hasLongDash);
+    if (dash != arguments.end()) {
+        error.message = "'" + *dash + "' begins with a long dash";
+        error.help = "write two hyphens: --" + dash->substr(3);
+    } else if (arguments[0] != app.get_name() && arguments[0][0] != '-') {
+        error.message = "'" + arguments[0] + "' stands before the command";
+        error.help = "the command comes first: crevice " + app.get_name() + " " + arguments[0];
+    } else if (left.size() == 1 && left[0][0] != '-') {
+        const auto at = std::find(arguments.begin(), arguments.end(), left[0]);
+        const bool value = at != arguments.begin() && at[-1] == "--host-depth";
+        if (value || app.get_option_no_throw("--config"))
+            error.help =
+                "write " + (value ? at[-1] + "=" : "--config ") + left[0] + "; " + error.help;
+    }
+}
+
 /// Says of the first argument that is no command or option of `app` which was meant.
 void nameUnknown(const CLI::App& app, const std::vector<std::string>& arguments,
                  crevice::Diagnostic& error)
@@ -55,6 +83,7 @@ int usageError(const CLI::App& app, const CLI::ParseError& error,
     diagnostic.help =
         "see crevice " + (chosen.empty() ? "" : chosen[0]->get_name() + " ") + "--help";
     nameUnknown(chosen.empty() ? app : *chosen[0], arguments, diagnostic);
+    if (!chosen.empty()) nameMisplaced(*chosen[0], arguments, diagnostic);
     report({diagnostic}, false);
     return kExitUsage;
 }

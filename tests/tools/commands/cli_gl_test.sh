@@ -65,6 +65,20 @@ printf '%s' '{"format": 1, "extends": ["mobile", "geometry/host_depth"]}' >host.
 expect 0 'wrote' render host.json "${small[@]}" --out ao=own.pfm
 expect 0 'wrote' render hosted.json "${small[@]}" --out ao=saved.pfm
 for file in plus own saved; do check "$file.pfm is the picture on a host's depth" cmp option.pfm "$file.pfm"; done
+# A texture that a config imports is a picture beside it, and none elsewhere.
+mkdir imports
+printf '%s' '{"format": 1, "extends": ["gtao"], "imports": {"dirt": {"type": "texture", "format": "r8"}},
+    "shaders": {"lit": {"vertex": "common/fullscreen.vert", "fragment": "./lit.frag"}}, "targets": {"lit": {"format": "r8"}},
+    "passes": {"lit": {"shader": "lit", "color": ["lit"]}}, "outputs": {"lit": "lit"}}' >imports/mine.json
+printf '%s\n' '#version 300 es' 'precision highp float;' 'uniform mediump sampler2D dirt;' 'in vec2 uv;' \
+    'layout(location = 0) out float lit;' 'void main() { lit = texture(dirt, uv).r; }' >imports/lit.frag
+cp ao.png imports/dirt.png
+expect 0 'wrote lit.png' render imports/mine.json "${small[@]}" --out lit=lit.png
+ln -sf ../ao.png imports/dirt.png
+expect 1 'mine.json:1:.*CV1204.*outside of' render imports/mine.json "${small[@]}" --out lit=lit.png
+expect 0 'wrote lit.png' render imports/mine.json "${small[@]}" --out lit=lit.png --root .
+rm imports/dirt.png && mkfifo imports/dirt.png
+expect 1 'CV7005.*no regular file' render imports/mine.json "${small[@]}" --out lit=lit.png
 expect 0 'wrote' render mobile "${small[@]}" --set guard_band=1 --out ao=drawn.pfm
 expect 0 'rmse' compare option.pfm drawn.pfm --max-abs 0.01
 expect 1 "CV2209.*color" render mobile "${small[@]}" --host-depth --out color=lit.png

@@ -29,12 +29,32 @@ expect 2 'CV8001' explain learnopengl --format svg
 expect 2 'CV8001' compare a.png
 expect 2 'CV8001.*--max-abs' compare a.png b.png --max-abs two
 
+expect 2 "the command comes first: crevice render balanced" balanced render
+expect 2 "write --host-depth=normals" render gtao --host-depth normals
+expect 2 "write --config mine.json" bench mine.json
+expect 2 "long dash" render gtao –size 320x180
+expect 2 "write two hyphens: --size" render gtao —size 320x180
+expect 2 "'4x16' is not a number above 0, as in 4,16" bench --config gtao --samples 4x16 --list
+expect 2 "not a number above 0" choose results.jsonl --error nan
+expect 2 'with its unit' bench --config gtao --time-budget 10 --list
+expect 2 'without a unit, bytes=' validate gtao --limit bytes=1MiB
+mkdir empty
+expect 1 "'empty' is a folder" render empty
+
 # --- validate ---
 expect 0 'learnopengl: ok \([0-9]+ passes' validate --all
 expect 0 '"ok": true' validate learnopengl --json
 expect 0 'textures at 64x36' validate mobile --size 64x36
 expect 1 'CV1209.*at most 3' validate mobile --limit passes=3
 expect 1 'CV1209.*MiB' render mobile --limit bytes=1000
+figure() { sed -nE 's/.*--limit bytes=([0-9]+).*/\1/p' stdout.txt stderr.txt; }
+for scene_uses_more in mobile balanced; do
+    expect 1 'CV1209.*MiB' validate $scene_uses_more --limit bytes=1000
+    check "the excess is told once" test "$(grep -c CV1209 stderr.txt)" -eq 1
+    bytes=$(figure)
+    expect 0 'ok' validate $scene_uses_more --limit bytes="$bytes"
+    expect 1 'CV1209' validate $scene_uses_more --limit bytes=$((bytes - 1))
+done
 expect 2 "did you mean 'passes'" validate mobile --limit pases=3
 expect 0 'thesis variant ambient_only: ok' validate thesis --variant ambient_only
 printf '%s' '{"format": 1, "extends": ["learnopengl"], "variants": {"low": {"parms": {}}}}' >variant.json
@@ -45,6 +65,15 @@ printf '{ "format": 1, "name": "broken", "extends": ["learnopengl"],\n  "pases":
 expect 1 'broken.json:2:3: error CV3001' validate broken.json
 expect 1 '"code": "CV3001"' validate broken.json --json
 expect 1 'broken: ok|learnopengl: ok' validate broken.json learnopengl
+mkdir -p windows/shaders
+printf '{"format": 1, "extends": [".\\\\base.json"]}' >windows/mine.json
+printf '{"format": 1, "extends": ["gtao", "./base.frag"]}' >windows/shader.json
+printf '{"format": 1, "extends": ["gtao"], "shaders": {"filter": {"fragment": ".\\shaders\\box.frag"}}}' >windows/box.json
+printf '{"format": 1, "extends": ["gtao"]}' >windows/base.json
+touch windows/base.frag windows/shaders/box.frag
+expect 1 "write './base.json'" validate windows/mine.json
+expect 1 "mine.json:1:27|write './base.json'" validate windows/shader.json
+expect 1 "write './shaders/box.frag'" validate windows/box.json
 printf '{ "format": 1,' >cut.json
 expect 1 'cut.json:1:[0-9]+: error CV1001' validate cut.json
 

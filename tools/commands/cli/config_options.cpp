@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -48,7 +49,9 @@ std::string setLimit(const std::string& text, Limits& limits)
     const std::string name = text.substr(0, equals);
     const auto number = equals == text.npos ? std::nullopt : parseNumber(text.substr(equals + 1));
     if (!number || !(*number >= 1 && *number <= 1e15))
-        return "'" + text + "' is no limit: write passes=500, files=, targets= or bytes=";
+        return "'" + text +
+               "' is no limit: write passes=500, files=, targets= or, without a unit, "
+               "bytes=1048576";
     if (name == "bytes") return limits.bytes = *number, "";
     for (const auto& [known, limit] :
          {std::pair("files", &limits.files), std::pair("passes", &limits.passes),
@@ -90,6 +93,15 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options)
     addCheckoutOption(app, options.checkout);
     addRootOption(app, options.roots);
     addLimitOption(app, options.limits);
+}
+
+std::function<std::string(const std::string&)> aboveZero(const std::string& example)
+{
+    return [example](const std::string& text) {
+        const double number = parseNumber(text).value_or(0.0);
+        if (number > 0.0 && std::isfinite(number)) return std::string();
+        return "'" + text + "' is not a number above 0, as in " + example;
+    };
 }
 
 CLI::Option* addList(CLI::App& app, const char* name, std::vector<std::string>& values,

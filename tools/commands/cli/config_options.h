@@ -5,6 +5,7 @@
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ LoadRequest requestOf(const ConfigOptions& options);
 /// Adds --variant, --set, --host-depth, --effects, --root and --limit; CONFIG is left to the
 /// command, since validate takes several.
 void addConfigOptions(CLI::App& app, ConfigOptions& options);
+
+/// CLI11's kind of check for a finite number above 0; `example` is how one writes it.
+std::function<std::string(const std::string&)> aboveZero(const std::string& example);
 
 /// Adds an option that may be repeated, each time with one value.
 CLI::Option* addList(CLI::App& app, const char* name, std::vector<std::string>& values,

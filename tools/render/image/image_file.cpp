@@ -187,7 +187,9 @@ Result<Image> decodeByStb(std::string_view bytes, const std::string& name, doubl
     const std::unique_ptr<stbi_us, void (*)(void*)> rows(
         stbi_load_16_from_memory(data, size, &extent.width, &extent.height, &channels, 0),
         stbi_image_free);
-    if (!rows) return brokenImage(name, stbi_failure_reason());
+    if (!rows)
+        return brokenImage(name, stbi_failure_reason(),
+                           "is it a picture? PNG, PFM, JPEG, BMP, TGA and others are read");
     return imageFromRows(rows.get(), extent, channels);
 }
 
