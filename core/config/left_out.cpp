@@ -111,6 +111,23 @@ const Node* glslAt(const Node& body, const char* list, const std::string& name)
     return file && file->kind == Node::Kind::string ? file : nullptr;
 }
 
+// To have `other` in the place of `one`.
+std::string wayOut(const std::vector<LoadedFile>& files, const LoadedFile& one,
+                   const LoadedFile& other)
+{
+    const SourceRef& asker = one.place.source;
+    if (!asker || asker == other.place.source || !startsWith(asker->path, "configs/") ||
+        isOnDisk(other.identity))
+        return "keep one of the two in 'extends'; one that replaces the other is named last";
+    std::vector<std::string> modules;
+    for (const LoadedFile& each : files)
+        if (each.place.source == asker)
+            modules.push_back(jsonString(nameOf(&each == &one ? other : each)));
+    return "write --set " + nameOf(one) + "=" + nameOf(other) +
+           " instead, or in a file, in the place of '" + asker->path + "', \"extends\": [" +
+           joined(modules) + "]";
+}
+
 }  // namespace
 
 std::optional<std::string> madeByBoth(const Node& one, const Node& other)
@@ -134,6 +151,26 @@ void collectNames(const Node& body, bool all, Names& names)
     for (const Member& section : body.members)
         for (const Member& entry : section.value.members)
             if (all || declares(section.key, entry.value)) names.emplace(section.key, entry.key);
+}
+
+std::optional<Diagnostic> clashIn(const std::vector<LoadedFile>& files)
+{
+    for (std::size_t later = files.size(); later-- > 1;)
+        for (std::size_t first = later; first-- > 0;) {
+            const LoadedFile &one = files[first], &other = files[later];
+            // A file is read after all that it extends.
+            if (other.extended.count(one.identity) > 0) continue;
+            const auto made = madeByBoth(one.body, other.body);
+            if (!made) continue;
+            return Diagnostic{Code::module_clash,
+                              "'" + other.name + "' and '" + one.name + "' both make " + *made +
+                                  ", and neither extends the other",
+                              wayOut(files, one, other),
+                              other.place,
+                              other.pointer,
+                              {{one.place, "the other one was asked for here"}}};
+        }
+    return std::nullopt;
 }
 
 Removal leaveOutReplaced(std::vector<LoadedFile>& files)

@@ -33,6 +33,10 @@ void collectNames(const Node& body, bool all, Names& names);
 /// The first interface or shader that both files make, or nothing.
 std::optional<std::string> madeByBoth(const Node& one, const Node& other);
 
+/// CV1208 of two files that make the same, the last that were read: those before are often what
+/// they extend.
+std::optional<Diagnostic> clashIn(const std::vector<LoadedFile>& files);
+
 /// What was left out of a config.
 struct Removal {
     std::vector<Member> files = {};  ///< Names of files, and strings that say why.

@@ -29,20 +29,15 @@ std::string withSuffix(const std::string& name)
     return endsWith(name, kSuffix) ? name : name + std::string(kSuffix);
 }
 
-// Of a config or module in the sources, as `extends` has it.
-std::string nameOf(const std::string& path)
-{
-    const std::size_t begin = startsWith(path, kConfigs) ? kConfigs.size() : 0;
-    return path.substr(begin, path.size() - kSuffix.size() - begin);
-}
-
 // Configs by name, and modules by path where asked for.
 std::vector<std::string> namesIn(const SourceSet& sources, bool modules)
 {
     std::vector<std::string> names;
     for (const std::string& path : sources.list()) {
-        if (endsWith(path, kSuffix) && (modules || startsWith(path, kConfigs)))
-            names.push_back(nameOf(path));
+        const bool config = startsWith(path, kConfigs);
+        if (!endsWith(path, kSuffix) || (!config && !modules)) continue;
+        const std::size_t begin = config ? kConfigs.size() : 0;
+        names.push_back(path.substr(begin, path.size() - kSuffix.size() - begin));
     }
     return names;
 }
@@ -185,7 +180,8 @@ public:
         if (errors.empty()) checkSwaps();
         Removal left_out;
         if (errors.empty()) left_out = leaveOutReplaced(files);
-        if (errors.empty()) checkClashes();
+        if (errors.empty())
+            if (std::optional<Diagnostic> clash = clashIn(files)) errors.push_back(*clash);
         cutShort(errors);
         return left_out;
     }
@@ -309,43 +305,6 @@ private:
                               suggestName(swap.value.text, others, "modules that can"),
                               swap.value.place});
         }
-    }
-
-    // Reports one clash, that of the files read last: those before are often what they extend.
-    void checkClashes()
-    {
-        for (std::size_t later = files.size(); later-- > 1;)
-            for (std::size_t first = later; first-- > 0;) {
-                // A file is read after all that it extends.
-                if (files[later].extended.count(files[first].identity) > 0) continue;
-                const auto made = madeByBoth(files[first].body, files[later].body);
-                if (!made) continue;
-                errors.push_back({Code::module_clash,
-                                  "'" + files[later].name + "' and '" + files[first].name +
-                                      "' both make " + *made + ", and neither extends the other",
-                                  wayOut(files[first], files[later]),
-                                  files[later].place,
-                                  files[later].pointer,
-                                  {{files[first].place, "the other one was asked for here"}}});
-                return;
-            }
-    }
-
-    // To have `other` in the place of `one`.
-    std::string wayOut(const LoadedFile& one, const LoadedFile& other) const
-    {
-        const SourceRef& asker = one.place.source;
-        if (!asker || asker == other.place.source || !startsWith(asker->path, kConfigs) ||
-            isOnDisk(other.identity))
-            return "keep one of the two in 'extends'; one that replaces the other is named last";
-        std::string modules;
-        for (const LoadedFile& each : files)
-            if (each.place.source == asker)
-                modules += (modules.empty() ? "" : ", ") +
-                           jsonString(nameOf((&each == &one ? other : each).identity));
-        return "write --set " + nameOf(one.identity) + "=" + nameOf(other.identity) +
-               " instead, or in a file, in the place of '" + nameOf(asker->path) +
-               "', \"extends\": [" + modules + "]";
     }
 
     bool mayOpen(const LoadedFile& file)
