@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <iterator>
 
 namespace crevice {
@@ -120,6 +121,14 @@ bool isControl(std::string_view text, std::size_t at)
 std::string printable(std::string_view text) { return printableBut("\n\t", text); }
 
 std::string printableLine(std::string_view text) { return printableBut("", text); }
+
+std::string characterName(std::string_view text, std::size_t at)
+{
+    char code[16];
+    std::snprintf(code, sizeof(code), "' (U+%04X)", unsigned(characterAt(text, at).code));
+    return "'" + printableLine(text.substr(at, std::max<std::size_t>(utf8Length(text, at), 1))) +
+           code;
+}
 
 std::string jsonString(std::string_view text)
 {

@@ -51,6 +51,9 @@ bool contains(const std::vector<std::string>& words, std::string_view word);
 /// The words with `separator` between them.
 std::string joined(const std::vector<std::string>& words, std::string_view separator = ", ");
 
+/// "'×' (U+00D7)" for the character at `at`. Requires at < text.size().
+std::string characterName(std::string_view text, std::size_t at);
+
 /// True for the character at `at` when a terminal obeys it instead of showing it: control
 /// characters, and marks that turn the direction of writing. Requires at < text.size().
 bool isControl(std::string_view text, std::size_t at);

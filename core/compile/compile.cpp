@@ -145,7 +145,7 @@ Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass&
                        const Place& declared, std::string help)
 {
     Diagnostic& error = report(state, code, std::move(message), pass.desc->shader, std::move(help));
-    error.notes.insert(error.notes.begin(), {declared, "the GLSL declares it here"});
+    if (declared.source) blame(error, declared, "the pass names its shader here");
     return error;
 }
 

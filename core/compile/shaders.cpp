@@ -120,7 +120,18 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
     const std::string who = quoted(reader) + ": ";
     for (const GlslOutput& output : fragment.outputs) {
         if (isFull(state)) return;
-        if (output.location >= 0 && output.location < count) continue;
+        if (output.location >= 0 && output.location < count) {
+            const int target = reader.color[output.location];
+            const FormatInfo& format = formatInfo(state.targets[target].format);
+            const std::string wanted = glslName(static_cast<GlslType>(format.channels - 1));
+            if (output.type > GlslType::vec4)
+                reportGlsl(state, Code::output_mismatch,
+                           who + "'" + output.name + "' is not of floats, which target '" +
+                               nameOf(state, target) + "' of format " + format.name + " holds",
+                           reader, output.place,
+                           "declare: out " + wanted + " " + output.name + ";");
+            continue;
+        }
         state.unwritten.insert(output.name);
         Diagnostic& error = reportGlsl(
             state, Code::output_mismatch,
@@ -129,7 +140,7 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
                 " colour target" + (count == 1 ? "" : "s"),
             reader, output.place, "add a target to `color`, or take the output out of the shader");
         if (count == 0) continue;
-        error.place = pass.color.back().place;
+        blame(error, pass.color.back().place, "the GLSL declares it here");
         error.pointer = pass.color.back().pointer;
     }
     for (int i = 0; i < count; ++i) {

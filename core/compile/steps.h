@@ -105,10 +105,14 @@ Diagnostic& report(State& state, Code code, std::string message, const Named& at
 Diagnostic& report(State& state, Code code, std::string message, const Reference& at,
                    std::string help = {});
 
-/// Adds an error that GLSL and the config share, and returns it: at the shader that the pass names,
-/// with a note at `declared` in the GLSL.
+/// Adds an error that GLSL and the config share, and returns it: at `declared` in the GLSL, with a
+/// note at the shader that the pass names.
 Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
                        const Place& declared, std::string help = {});
+
+/// What a shader declares to read that param, texture or value: "it is a param: write uniform
+/// float intensity;". Empty where there is none of that name.
+std::string declarationOf(const Description& description, const std::string& name);
 
 /// "pass 'ssao'", as messages name it.
 std::string quoted(const Pass& pass);

@@ -2,6 +2,7 @@
 // Uniforms: the texture, param, kernel or frame value behind each, and how many the device holds.
 #include "core/compile/steps.h"
 
+#include "core/base/text.h"
 #include "core/config/values.h"
 #include "core/frame/frame_values.h"
 #include "core/sampling/generators.h"
@@ -64,9 +65,9 @@ std::optional<Supply> supplyOf(const Description& description, const PassDesc& p
                   of_draw ? UniformSource::draw : UniformSource::frame};
 }
 
-std::string spell(GlslType type, std::string_view name, int count)
+std::string spell(const std::string& type, std::string_view name, int count)
 {
-    std::string text = std::string(glslName(type)) + " " + std::string(name);
+    const std::string text = type + " " + std::string(name);
     return count > 0 ? text + "[" + std::to_string(count) + "]" : text;
 }
 
@@ -153,11 +154,11 @@ const InputDesc* inputFor(const PassDesc& pass, std::string_view sampler)
 
 void reportShape(State& state, const Pass& pass, const GlslUniform& uniform, const Supply& supply)
 {
-    const std::string wanted = spell(supply.type, uniform.name, supply.count);
+    const std::string wanted = spell(glslName(supply.type), uniform.name, supply.count);
     Diagnostic& error =
         reportGlsl(state, Code::uniform_type,
                    quoted(pass) + ": uniform '" + uniform.name + "' is declared as " +
-                       spell(uniform.type, uniform.name, uniform.array ? uniform.count : 0) +
+                       spell(uniform.spelling, uniform.name, uniform.array ? uniform.count : 0) +
                        ", and the " + supply.what + " is " + wanted,
                    pass, uniform.place, "declare: uniform " + wanted + ";");
     if (supply.place.source) error.notes.push_back({supply.place, "the config declares it here"});
@@ -194,6 +195,18 @@ void checkMultisampled(State& state, const Pass& pass, const GlslUniform& unifor
 }
 
 }  // namespace
+
+std::string declarationOf(const Description& description, const std::string& name)
+{
+    const std::optional<Supply> supply = supplyOf(description, PassDesc(), name);
+    if (!supply) return {};
+    const ParamDesc* param = findNamed(description.params, name);
+    return std::string("it is a ") + supply->what + ": write " +
+           (param && param->bind == Bind::define
+                ? upperCase(name)
+                : (isSampler(supply->type) ? "uniform highp " : "uniform ") +
+                      spell(glslName(supply->type), name, supply->count) + ";");
+}
 
 int generatedCount(const Description& description, const GeneratedDesc& generated)
 {

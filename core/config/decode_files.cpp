@@ -125,7 +125,9 @@ struct FileReader {
                 waiting.push_back(*found);
             else
                 missing(at, "file '" + at.name + "', which " + absence(*found),
-                        suggestFile(sources, at.name, found->key, ".glsl"));
+                        findNamed(description.interfaces, at.name)
+                            ? "write #include <" + at.name + ">"
+                            : suggestFile(sources, at.name, found->key, ".glsl"));
         }
     }
 

@@ -130,7 +130,7 @@ Place placeAt(const GlslStage& stage, const GlslTokens& tokens, std::size_t at,
     const std::string_view name = quotedName(message);
     const std::size_t last = std::min(at, tokens.size() - 1);
     for (std::size_t i = last; i + kBack > last && i < tokens.size(); --i)
-        if (tokens[i].is(name)) return placeOf(tokens[i], stage.files);
+        if (tokens[i].is(name) && !isDigit(name[0])) return placeOf(tokens[i], stage.files);
     return placeOf(tokens[last], stage.files);
 }
 

@@ -25,67 +25,97 @@ constexpr std::string_view kBuiltIn =
     "dFdy fwidth gl_Position gl_PointSize gl_VertexID gl_InstanceID gl_FragCoord gl_FrontFacing "
     "gl_PointCoord gl_FragDepth";
 
-/// Names of older GLSL, of HLSL and of desktops.
-constexpr struct {
-    const char* name;
-    const char* instead;
-} kElsewhere[] = {
-    {"texture2D", "texture(...)"},
-    {"tex2D", "texture(...)"},
-    {"gl_FragColor", "an output of your own: layout(location = 0) out vec4 color;"},
-    {"varying", "out in the vertex shader and in in the fragment shader"},
-    {"attribute", "in"},
-    {"sampler2DMS", "#version 310 es, which has it"},
-    {"saturate", "clamp(x, 0.0, 1.0)"},
-    {"lerp", "mix(...)"},
-    {"frac", "fract(...)"},
-    {"atan2", "atan(y, x)"},
-    {"float2", "vec2"},
-    {"float3", "vec3"},
-    {"float4", "vec4"},
-    {"half", "mediump float"},
-};
+/// Names of other GLSL, of HLSL and of desktops, and what is not supported; and what to write.
+constexpr std::string_view kElsewhere = R"(
+texture2D,tex2D|texture(...)
+gl_FragColor,gl_FragData|an output of your own: layout(location = 0) out vec4 color;
+varying|out in the vertex shader and in in the fragment shader
+attribute|in
+sampler2DMS|#version 310 es in both shaders, which has it
+saturate|clamp(x, 0.0, 1.0)
+lerp|mix(...)
+frac|fract(...)
+fma|a * b + c
+atan2|atan(y, x)
+float2,float3,float4|vec2, vec3 or vec4
+half|mediump float
+double|float
+elif|else if
+textureGather|four texelFetch(...)
+dFdxFine,dFdyFine,ddx,ddy|dFdx(...) or dFdy(...)
+precise,noperspective|the declaration without it
+binding,early_fragment_tests|no such layout: the config binds samplers by name
+std430,buffer|a sampler, or a uniform array: uniform vec3 kernel[16];
+gl_ClipDistance|discard where the distance is below 0
+gl_SampleID|a shader for whole pixels
+scalar swizzle|x for x.x: a number has no components
+variable indexing sampler array|a constant index
+{ } style initializers|float[](1.0, 2.0)
+arrays of arrays|one array of both sizes: w[i * 2 + j]
+.length|the number of components
+local function declaration|it outside of all functions
+extraneous semicolon|no ';' behind a function's '}'
+token pasting|the whole name
+non-constant global initializer|the declaration alone, and compute it in main()
+)";
 
 /// What a compiler says, what it is called here, and the way out; $ is the name it is about.
-constexpr struct {
-    const char* part;
-    const char* message;
-    const char* help;
-} kMessages[] = {
-    {"eserved word", "'$' is a word that GLSL ES keeps for itself", "take another name"},
-    {"redefinition", "'$' is declared twice", "rename one of them, or take it out"},
-    {"already has a body", "function '$' has two bodies", "rename one of them, or take it out"},
-    {"modify shader input", "'$' is an input, which nothing may write", "write to a copy of it"},
-    {"modify a uniform", "'$' is a uniform, which nothing may write", "write to a copy of it"},
-    {"modify a const", "this is const or a plain value, which nothing may write",
-     "write to a variable that is not const"},
-    {"wrong operand type no operation", "this operator does not take that type",
-     "compare: x > 0.0"},
-    {"location", "two outputs have one location", "number them: layout(location = 1) out ..."},
-    {"convert return value", "this is not of the type that the function returns",
-     "return that type, or change it"},
-    {"sampler/image types", "a sampler has to be a uniform or a parameter",
-     "read the uniform itself"},
-    {"non-constant initializer", "a const has to have a constant value", "leave out 'const'"},
-    {"array size must", "the size of an array has to be constant", "write a number or a #define"},
-    {"Types must match", "'$' has another type in the other shader", "declare it alike in both"},
-    {"qualifiers must match", "'$' is qualified otherwise in the other shader",
-     "declare it alike in both, as with 'highp' or 'flat'"},
-    {"default precision qualifier", "'$' has no precision in this shader",
-     "write below #version: precision highp $;"},
-    {"void function cannot return", "a void function returns no value", "write: return;"},
-    {"string literal", "GLSL has no text in quotes", "write a number"},
-    {"no such field", "the struct has no member '$'", "take one that its declaration has"},
-    {"boolean expression expected", "a condition has to be true or false", "compare: x > 0.0"},
-    {"function does not return a value", "function '$' can end without a return",
-     "end each way through it with a return"},
-    {"swizzle selection out of range", "the vector is too short for '.$'",
-     "take components that it has, such as .x or .xy"},
-    {"not enough data provided", "there are too few values for this vector or matrix",
-     "give one number for all components, or one for each"},
-    {"entry point", "the shader has no function main", "add: void main() { ... }"},
-    {"Recursion detected", "'$' calls itself, which GLSL has not", "write it as a loop"},
-};
+constexpr std::string_view kMessages = R"(
+eserved word|'$' is a word that GLSL ES keeps for itself|take another name
+redefinition of built-in|'$' is a function of GLSL itself|take another name
+redefinition|'$' is declared twice|rename one of them, or take it out
+redeclaration|'$' is declared twice|rename one of them, or take it out
+already has a body|function '$' has two bodies|rename one of them, or take it out
+modify shader input|'$' is an input, which nothing may write|write to a copy of it
+modify a uniform|'$' is a uniform, which nothing may write|write to a copy of it
+modify a const|this is const or a plain value, which nothing may write|write to a variable
+duplicate components|a component is written twice|name each once: .xy
+value required|this is a plain value, which nothing may write, an 'out' either|give it a variable
+wrong operand type no operation|this operator does not take that type|compare: x > 0.0
+location|two outputs have one location|number them: layout(location = 1) out ...
+overloaded functions must|functions of one name differ in their parameters alone|rename one of them
+return type|this is not of the type that the function returns|return that type, or change it
+sampler/image types|a sampler has to be a uniform or a parameter|read the uniform itself
+non-constant initializer|a const has to have a constant value|leave out 'const'
+array size must|the size of an array has to be constant|write a number or a #define
+array size required|the array has no size|write how many it holds: float w[3];
+Types must match|'$' has another type in the other shader|declare it alike in both
+qualifiers must match|'$' is qualified otherwise in the other shader|declare it alike, as 'highp'
+default precision|'$' has no precision in this shader|write below #version: precision highp $;
+void function cannot return|a void function returns no value|write: return;
+literal too big|the number has more than 32 bits|write a smaller one
+octal|a number that begins with 0 is octal|take the 0 off
+literal|GLSL has no text in quotes|write a number
+no such field|the struct has no member '$'|take one that its declaration has
+boolean expression expected|a condition has to be true or false|compare: x > 0.0, x == 1.0
+function does not return a value|function '$' can end without a return|end each way with a return
+swizzle selection|the vector is too short for '.$'|take components that it has: .x or .xy
+not enough data|there are too few values for this vector or matrix|give one, or one for each
+one argument per|this array has another number of values|give one for each of its elements
+entry point|the shader has no function main|add: void main() { ... }
+take any parameter|main takes no parameters|write: void main()
+Recursion detected|'$' calls itself, which GLSL has not|write it as a loop
+initialize this type|nothing but a variable or a const begins with a value|set a param's "default"
+last case|the last case does nothing|add: break;
+duplicated value|two cases have one value|take one of them out
+statement only allowed|'break' and 'continue' stand in loops only|take it out, or write: return;
+name too long|this name has more than 1024 characters|take a shorter one
+beginning with "GL_"|names that begin with GL_ are GLSL's own|take another name
+nest a structure|a struct is declared in another|declare it above
+qualified as flat|whole numbers are not interpolated|write flat, in the vertex shader too: flat out
+compile-time constant|an offset has to be constant|add it to the coordinate: uv + p * texel
+value is out of range|an offset goes from -8 to 7|add it to the coordinate: uv + p * texel
+Macro redefined|one macro has two #defines|write #undef before the second
+args in|the macro takes another number of arguments|give as many as its #define
+extension not supported|no device has this extension|leave it out
+memory exhausted|this is nested too deep|make its expressions and blocks shorter
+not supported|GLSL ES 3 has no '$'|leave it out
+)";
+
+/// What a function of GLSL takes, where it is called with something else.
+constexpr std::pair<std::string_view, const char*> kArguments[] = {
+    {"texelFetch", "the coordinate must be ivec2(...), and a level follows: texelFetch(s, p, 0)"},
+    {"texture", "the coordinate must be vec2(...): texture(s, uv)"}};
 
 /// What a syntax error may say is wanted, what is most likely meant first.
 constexpr std::pair<const char*, const char*> kSigns[] = {
@@ -109,9 +139,21 @@ std::string plainType(std::string_view type)
     const std::string_view scalar = type.substr(type.find_last_of(" }") + 1);
     const std::size_t vector = type.find("-component"), matrix = type.find(" matrix");
     if (has(type, "structure{")) return "a struct";
+    if (const std::size_t size = type.find("-element array of "); size != type.npos) {
+        const std::size_t begin = type.find_last_of(' ', size) + 1;
+        return plainType(type.substr(size + 17)) + "[" +
+               std::string(type.substr(begin, size - begin)) + "]";
+    }
     if (matrix != type.npos && matrix > 0) return "mat" + std::string(1, type[matrix - 1]);
     if (vector == type.npos || vector == 0) return std::string(scalar);
     return (scalar == "float" ? "" : std::string(scalar.substr(0, 1))) + "vec" + type[vector - 1];
+}
+
+/// Whether the sign is none of GLSL's: $, @ or of another alphabet.
+bool isForeign(const GlslToken& token)
+{
+    return token.kind == GlslToken::Kind::symbol &&
+           !has("(){}[];,.:?=+-*/%<>!&|^~#\\", token.text.substr(0, 1));
 }
 
 bool isWhole(std::string_view type) { return type == "int" || type == "uint"; }
@@ -150,8 +192,13 @@ private:
     void pointAt(const GlslToken& token) { error_.place = placeOf(token, stage_.files); }
     void syntax(const std::string& message);
     void openBrace();
+    void index(const std::string& number);
+    void tell(const std::string& message, const std::string& name);
     void unknown(const std::string& name, bool function);
     void types(const std::string& message);
+    bool isDeclared(std::size_t i) const;
+    std::size_t statement() const;
+    std::string nameHere(bool function) const;
     std::vector<std::string> names() const;
     std::string signatures(std::string_view name) const;
     std::string conversion(const std::string& given, const std::string& wanted) const;
@@ -187,6 +234,8 @@ void Speaker::syntax(const std::string& message)
     const bool value = isName(last) || last.kind == GlslToken::Kind::number || isOneOf(last, ")]");
     const std::string text(found.text), before(last.text);
     const std::string wanted = message.substr(std::min(message.find("expecting"), message.size()));
+    if (found.is("{") && depth > 0 && isName(last))
+        return say("a variable does not begin with '{'", "write: " + before + " = ...;");
     if (depth <= 0 && found.is("}"))
         return say("this '}' closes nothing", "take it out, or add the '{' that it is to close");
     if (depth > 0 && found.is("{") && last.is(")")) return openBrace();
@@ -234,6 +283,42 @@ void Speaker::openBrace()
     say("this '{' is not closed", "add '}' where what it opens ends");
 }
 
+/// Whether a type or the like stands before the name at `i`, 1 or more.
+bool Speaker::isDeclared(std::size_t i) const
+{
+    return isName(tokens_[i]) && isName(tokens_[i - 1]) && !tokens_[i - 1].is("return");
+}
+
+/// Where the statement begins that the error is in.
+std::size_t Speaker::statement() const
+{
+    std::size_t i = std::min(at_, tokens_.size());
+    while (i > 0 && !isOneOf(tokens_[i - 1], ";{}")) --i;
+    return i;
+}
+
+/// What an error is about that names nothing: a function, or the type behind which it points.
+std::string Speaker::nameHere(bool function) const
+{
+    std::size_t i = function ? statement() : at_ - 1;
+    while (function && i + 1 < at_ && !tokens_[i + 1].is("(")) ++i;
+    return i < tokens_.size() && isName(tokens_[i]) ? std::string(tokens_[i].text) : "this";
+}
+
+/// "[" points behind the name of an array, a vector or a matrix.
+void Speaker::index(const std::string& number)
+{
+    const std::string_view name = at_ > 0 && at_ < tokens_.size() ? tokens_[at_ - 1].text : "";
+    std::string size = "its length";
+    for (std::size_t i = 1; i + 2 < at_ && at_ < tokens_.size(); ++i)
+        if (tokens_[i].is(name) && isDeclared(i))
+            size = tokens_[i + 1].is("[") ? std::string(tokens_[i + 2].text)
+                                          : std::string(1, tokens_[i - 1].text.back());
+    say("'" + std::string(name) + "' has no element " + number,
+        "indices go from 0 to " +
+            (isDigit(size[0]) ? std::to_string(std::atoi(size.c_str()) - 1) : size + " - 1"));
+}
+
 /// What is declared up to the error: for all, or in the function that it is in.
 std::vector<std::string> Speaker::names() const
 {
@@ -246,8 +331,7 @@ std::vector<std::string> Speaker::names() const
         const GlslToken& token = tokens_[i];
         depth += isOneOf(token, "({") - isOneOf(token, ")}");
         if (depth == 0 && isOneOf(token, ";}")) local.clear();
-        if (isName(token) && isName(tokens_[i - 1]) && !tokens_[i - 1].is("return"))
-            (depth > 0 ? local : names).emplace_back(token.text);
+        if (isDeclared(i)) (depth > 0 ? local : names).emplace_back(token.text);
     }
     names.insert(names.end(), local.begin(), local.end());
     return names;
@@ -258,9 +342,7 @@ std::string Speaker::signatures(std::string_view name) const
 {
     std::string all;
     for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
-        if (!tokens_[i].is(name) || !isName(tokens_[i - 1]) || tokens_[i - 1].is("return") ||
-            !tokens_[i + 1].is("("))
-            continue;
+        if (!tokens_[i].is(name) || !isDeclared(i) || !tokens_[i + 1].is("(")) continue;
         all += all.empty() ? "" : "; ";
         for (std::size_t k = i - 1; k < tokens_.size() && !isOneOf(tokens_[k], "{;"); ++k)
             all += (k >= i && isName(tokens_[k]) && isName(tokens_[k - 1]) ? " " : "") +
@@ -278,10 +360,12 @@ void Speaker::unknown(const std::string& name, bool function)
     if (!declared.empty() && !contains(usable, name))
         return say("'" + name + "' is called above its declaration",
                    "move it up, or declare it above: " + declared + ";");
+    std::string help = declared.empty() ? conversion("int", "float") : "declared: " + declared;
+    for (const auto& [of, wanted] : kArguments)
+        if (of == name) help = wanted;
     if (function && (known || !declared.empty()))
-        return say("no '" + name + "' takes these arguments",
-                   declared.empty() ? conversion("int", "float") : "declared: " + declared);
-    std::string help = suggestName(name, usable, "");
+        return say("no '" + name + "' takes these arguments", help);
+    help = suggestName(name, usable, "");
     help.resize(has(help, "did you mean") ? help.find('?') + 1 : 0);
     if (help.empty()) help = "declare it, or include the file that does";
     if (contains(usable, name)) help = "it is declared in another block: declare it before both";
@@ -292,9 +376,8 @@ void Speaker::unknown(const std::string& name, bool function)
 /// there is one.
 std::string Speaker::conversion(const std::string& given, const std::string& wanted) const
 {
-    std::size_t i = std::min(at_, tokens_.size());
-    while (i > 0 && !isOneOf(tokens_[i - 1], ";{}")) --i;
-    for (; given == "int" && i < tokens_.size() && !isOneOf(tokens_[i], ";{}"); ++i) {
+    for (std::size_t i = statement();
+         given == "int" && i < tokens_.size() && !isOneOf(tokens_[i], ";{}"); ++i) {
         const std::string text(tokens_[i].text);
         const bool whole = text.find_first_not_of("0123456789") == text.npos;
         if (!whole || i == 0 || tokens_[i - 1].is("[")) continue;
@@ -311,13 +394,17 @@ void Speaker::types(const std::string& message)
     const std::vector<std::string> operands = typesAfter(message, "operand of type '");
     const std::vector<std::string> from = typesAfter(message, "cannot convert from '");
     const std::vector<std::string> to = typesAfter(message, "' to '");
+    const std::string sign = message.substr(message.find('\'') + 1, message.find("' ") - 1);
+    const std::string compare = sign[0] == '<' ? "lessThan" : sign[0] == '>' ? "greaterThan" : "";
     if (operands.size() == 2)
-        say("'" + message.substr(message.find('\'') + 1, message.find("' ") - 1) +
-                "' does not take " + operands[0] + " and " + operands[1],
-            operands[0] == operands[1] ? "it is for other types; % of floats is mod(a, b)"
-            : isWhole(operands[0])     ? conversion(operands[0], operands[1])
-            : isWhole(operands[1])     ? conversion(operands[1], operands[0])
-                                       : "bring both to one size: float(...), vec4(v, 1.0), .xyz");
+        say("'" + sign + "' does not take " + operands[0] + " and " + operands[1],
+            sign == "<<" || sign == ">>" ? "shift a whole number by a whole number"
+            : !compare.empty() && has(operands[0], "vec")
+                ? "compare by component: any(" + compare + "(a, b))"
+            : operands[0] == operands[1] ? "it is for other types; % of floats is mod(a, b)"
+            : isWhole(operands[0])       ? conversion(operands[0], operands[1])
+            : isWhole(operands[1])       ? conversion(operands[1], operands[0])
+                                   : "bring both to one size: float(...), vec4(v, 1.0), .xyz");
     else if (!from.empty() && !to.empty())
         say("this is " + from[0] + ", wanted " + to[0], conversion(from[0], to[0]));
 }
@@ -325,22 +412,50 @@ void Speaker::types(const std::string& message)
 void Speaker::run()
 {
     const std::string message = error_.message;
+    if (at_ < tokens_.size() && isForeign(tokens_[at_])) {
+        const std::string_view line = lineOf(error_.place.source->text, error_.place.line);
+        return say(
+            characterName(line, std::size_t(error_.place.column) - 1) + " is no character of GLSL",
+            "take it out, or write what it stands for");
+    }
     std::string name(quotedName(message));
+    if (has(message, "index out of range")) return index(name);
+    if (has(message, "can't modify") && at_ < tokens_.size() && tokens_[statement()].is("if"))
+        return say("'=' writes, where a condition is wanted", "write == to compare");
     if (name == "assign" || name == "constructor" || name.empty())
         name = quotedName(message.substr(std::min(message.find(" : "), message.size())));
     if (has(message, "not return a value: ")) name = message.substr(message.rfind(' ') + 1);
-    for (const auto& each : kElsewhere)
-        if (name == each.name)
-            return say("GLSL ES 3 has no '" + name + "'", "write " + std::string(each.instead));
+    std::string feature;
+    if (has(message, "' : not supported"))
+        feature = message.substr(1, message.find_first_of("('", 1) - 1);
+    feature.erase(feature.find_last_not_of(' ') + 1);
+    if (name.empty()) name = has(message, "edefinition") ? nameHere(true) : feature;
+    for (const std::string_view row : split(kElsewhere, '\n')) {
+        const std::string names = "," + std::string(row.substr(0, row.find('|'))) + ",";
+        if (!name.empty() && has(names, "," + name + ","))
+            return say("GLSL ES 3 has no '" + name + "'",
+                       "write " + std::string(row.substr(row.find('|') + 1)));
+    }
     if (has(message, "syntax error")) return syntax(message);
     const bool call = has(message, "no matching overloaded") || has(message, "no function with");
     if (call || has(message, "undeclared") || has(message, "undefined variable"))
         return unknown(name, call);
     if (has(message, "of type '") || has(message, "cannot convert from '")) return types(message);
     if (startsWith(message, "'' : ")) error_.message.erase(0, 5);
-    for (const auto& each : kMessages) {
-        if (!has(message, each.part)) continue;
-        say(each.message, each.help);
+    tell(message, name.empty() ? nameHere(false) : name);
+}
+
+/// By kMessages; and where the first of two declarations is.
+void Speaker::tell(const std::string& message, const std::string& name)
+{
+    const bool twice = has(message, "' : redefinition") || has(message, "already has a body");
+    for (std::size_t i = twice ? std::min(at_, tokens_.size()) : 0; i-- > 1;)
+        if (tokens_[i].is(name) && isDeclared(i) && error_.notes.empty())
+            error_.notes.push_back({placeOf(tokens_[i], stage_.files), "it is declared here too"});
+    for (const std::string_view row : split(kMessages, '\n')) {
+        const std::vector<std::string_view> parts = split(row, '|');
+        if (parts.size() != 3 || !has(message, parts[0])) continue;
+        say(std::string(parts[1]), std::string(parts[2]));
         for (std::string* text : {&error_.message, &error_.help})
             if (const std::size_t at = text->find('$'); at != text->npos)
                 text->replace(at, 1, name);

@@ -17,7 +17,7 @@ constexpr std::size_t kMaxIncludeDepth = 64;
 constexpr std::size_t kShownBytes = 40;
 
 constexpr const char* kVersionHelp =
-    "write '#version 300 es', or '310 es' for devices that have it, above all but comments";
+    "write '#version 300 es' above all but comments; all stages of a shader have one version";
 constexpr const char* kConditionHelp =
     "a condition has whole numbers, defined(NAME), macros without arguments, parentheses and "
     "! && || == != < <= > >= + - * / %";
@@ -128,8 +128,19 @@ private:
         for (const GlslToken& token : line.tokens) mention(token);
         if (readBranch(line) || !active()) return;
         if (line.directive() == "define") readDefine(line);
+        if (line.directive() == "extension") readExtension(line);
         if (line.directive() != "undef") return;
         if (const GlslToken* name = onlyName(line)) unit_.macros.undefine(name->text);
+    }
+
+    void readExtension(const GlslLine& line)
+    {
+        if (!unit_.tokens.empty())
+            fail("this #extension stands below code", line.tokens[1], "move it up to #version");
+        if (line.tokens.size() < 4 || !line.tokens.back().is("require")) return;
+        fail("no device need have the extension '" + std::string(line.tokens[2].text) + "'",
+             line.tokens[2], "write ': enable', and #ifdef around what uses it");
+        unit_.errors.back().severity = Severity::warning;
     }
 
     /// True when the line is one of the directives of an #if.
@@ -168,7 +179,8 @@ private:
         Branch& branch = branches_.back();
         const bool last = line.directive() == "else";
         if (branch.in_else)
-            fail("#" + std::string(line.directive()) + " after #else", line.tokens[1]);
+            fail("#" + std::string(line.directive()) + " after #else", line.tokens[1],
+                 "move it above the #else, or take it out");
         const bool open = branch.outer && !branch.taken && !branch.in_else;
         branch.active = open && (last || condition(line));
         branch.taken = branch.taken || branch.active;
@@ -195,11 +207,13 @@ private:
         for (const GlslToken& token : condition) {
             if (token.kind != GlslToken::Kind::identifier || unit_.macros.defined(token.text))
                 continue;
+            std::string help = suggestName(token.text, unit_.macros.names(), "defined");
+            if (help.find("did you mean") == help.npos)
+                help = "declare feature '" + lowerCase(token.text) +
+                       "', or such a param with bind 'define'";
             if (undefined_.emplace(token.text).second)
                 fail("a condition has '" + std::string(token.text) + "', which is not defined",
-                     token,
-                     suggestName(token.text, unit_.macros.names(), "defined") +
-                         "; features, traits and params with bind 'define' are, in upper case");
+                     token, help.substr(0, help.find(" defined:")));
             return;
         }
         fail("the condition of #" + std::string(line.directive()) + " cannot be read",
@@ -266,18 +280,8 @@ private:
         else if (interface != interfaces_.end())
             path = interface->second;
         if (files_.count(path)) return true;
-        std::vector<std::string> names;
-        if (include.interface)
-            for (const auto& entry : interfaces_) names.push_back(entry.first);
-        else
-            for (const auto& entry : files_) names.push_back(entry.first);
-        fail(Code::include_missing,
-             include.interface ? "no module of the config provides the interface '" + include.name +
-                                     "'"
-                               : "#include names '" + include.name + "', which does not exist",
-             include.place,
-             suggestName(include.name, std::move(names),
-                         include.interface ? "interfaces" : "files"));
+        fail(Code::include_missing, "#include names '" + include.name + "', which does not exist",
+             include.place, kIncludeHelp);
         return false;
     }
 

@@ -3,6 +3,7 @@
 // outputs.
 #include <crevice/glsl_stage.h>
 
+#include "core/base/text.h"
 #include "core/glsl/preprocessor.h"
 
 #include <algorithm>
@@ -36,6 +37,9 @@ std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit&
 /// Longest array that is believed; no device has room for more uniforms.
 constexpr std::int64_t kMaxArray = 65536;
 
+/// Longest that a shader's own may be: drivers keep some 64 KiB, and for more ask for any memory.
+constexpr std::int64_t kMaxElements = 4096;
+
 /// Most uniforms and outputs of a stage.
 constexpr std::size_t kMaxDeclared = 1024;
 
@@ -68,6 +72,7 @@ public:
 
     void run()
     {
+        refuseLongArrays();
         while (at_ != end_ && unit_.errors.size() < kMaxDiagnostics) {
             const Qualifiers qualifiers = readQualifiers();
             if (qualifiers.uniform || qualifiers.output) readDeclaration(qualifiers);
@@ -82,6 +87,24 @@ private:
     {
         unit_.errors.push_back(
             {Code::preprocessor, std::move(message), std::move(help), placeOf(token, unit_.files)});
+    }
+
+    /// Sizes that are numbers, or constants that are.
+    void refuseLongArrays()
+    {
+        std::set<std::string_view> large;
+        for (const GlslToken* token = at_; end_ - token > 2; ++token) {
+            const bool constant =
+                token->is("=") && token > at_ + 1 && endsWith(token[-2].text, "int");
+            if (!constant && !token->is("[")) continue;
+            const GlslToken* last = token + 1;
+            while (last != end_ && last - token < 16 && !last->is("]") && !last->is(";")) ++last;
+            const bool long_ = evaluate(token + 1, last).value_or(0) > kMaxElements;
+            if (constant && long_) large.insert(token[-1].text);
+            if (!constant && (long_ || large.count(token[1].text) > 0))
+                return fail("an array has more than " + std::to_string(kMaxElements) + " elements",
+                            token[1], "make it shorter, or read a texture");
+        }
     }
 
     Qualifiers readQualifiers()
@@ -134,6 +157,7 @@ private:
 
         GlslUniform common;
         common.type = glslTypeFromName(type.text);
+        common.spelling = type.text;
         readArray(common);
         while (at_ != end_ && at_->kind == GlslToken::Kind::identifier) {
             if (stage_.uniforms.size() + stage_.outputs.size() == kMaxDeclared) {
@@ -151,7 +175,8 @@ private:
             if (qualifiers.uniform)
                 stage_.uniforms.push_back(std::move(variable));
             else
-                stage_.outputs.push_back({std::move(variable.name), location, variable.place});
+                stage_.outputs.push_back(
+                    {std::move(variable.name), location, variable.place, variable.type});
             if (!here(",")) return;
             ++at_;
         }
@@ -258,15 +283,15 @@ Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
     GlslUnit unit{defines};
     GlslStage stage;
     preprocess(files, interfaces, path, unit);
-    if (unit.errors.empty()) scanDeclarations(unit, stage);
-    if (!unit.errors.empty()) return std::move(unit.errors);
+    if (!hasErrors(unit.errors)) scanDeclarations(unit, stage);
+    if (hasErrors(unit.errors)) return std::move(unit.errors);
     stage.defines_used = usedDefines(defines, unit);
     stage.text = "#version " + unit.version + "\n";
     for (const std::string& name : stage.defines_used)
         stage.text += "#define " + name + " " + onOneLine(defines.at(name)) + "\n";
     stage.text += unit.text;
     stage.files = std::move(unit.files);
-    return stage;
+    return {std::move(stage), std::move(unit.errors)};
 }
 
 bool dropOutput(GlslStage& stage, const std::string& name)

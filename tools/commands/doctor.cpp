@@ -9,6 +9,7 @@
 #include "tools/render/device/float_device.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/device/poison_device.h"
+#include "tools/render/glsl/glsl_check.h"
 #include "tools/render/host_textures.h"
 #include "tools/render/output_source.h"
 #include "tools/render/read_output.h"
@@ -168,6 +169,9 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
     Result<Plan> plan = compile(description, traitsOf(frame), device.caps(), compile_options);
     if (!plan) return plan.diagnostics();
     checkup.warnings = plan.diagnostics();
+    GlslCheck shaders;
+    shaders.add(*plan);
+    if (Diagnostics wrong = shaders.check(description, &device); !wrong.empty()) return wrong;
 
     const std::vector<WatchedTarget> watched = watchAll(*plan, description);
     progress.begin("drawing in poison");

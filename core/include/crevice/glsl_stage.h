@@ -50,6 +50,7 @@ struct GlslUniform {
     int count = 1;  ///< Array length; 1 for a plain uniform.
     bool array = false;
     Place place;
+    std::string spelling = {};  ///< Of the type, in GLSL.
 };
 
 /// One `out` of a fragment shader.
@@ -57,6 +58,7 @@ struct GlslOutput {
     std::string name;
     int location = 0;
     Place place;
+    GlslType type = GlslType::float_;
 };
 
 /// A shader stage ready for a driver.

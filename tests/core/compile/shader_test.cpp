@@ -51,15 +51,14 @@ TEST_CASE("A sampler binds to the generated texture or import of its name")
     CHECK(inputs[1].sampling.filter == Filter::nearest);
 }
 
-TEST_CASE(
-    "A sampler of nothing is refused where the pass names its shader, with the nearest texture")
+TEST_CASE("A sampler of nothing is refused in the GLSL, with the nearest texture")
 {
     const Diagnostic error = onlyError(body("uniform sampler2D noize;\n"));
     CHECK(error.code == Code::uniform_unbound);
-    CHECK(error.place.source->name == "test.json");
-    CHECK(error.notes.at(0).place.source->name == "p.frag");
-    CHECK(error.notes.at(0).place.line == 3);
-    CHECK(textAt(error.notes.at(0).place) == "noize");
+    CHECK(error.notes.at(0).place.source->name == "test.json");
+    CHECK(error.place.source->name == "p.frag");
+    CHECK(error.place.line == 3);
+    CHECK(textAt(error.place) == "noize");
     CHECK(error.pointer == "/passes/p/shader");
     CHECK(error.help.find("'noise'") != error.help.npos);
 }
@@ -102,7 +101,7 @@ TEST_CASE("A uniform of another type or length than its value is refused")
     const Diagnostic error = onlyError(body("uniform " + declared + ";\n"));
     CAPTURE(declared);
     CHECK(error.code == Code::uniform_type);
-    CHECK(textAt(error.notes.at(0).place) == name);
+    CHECK(textAt(error.place) == name);
     CHECK(error.pointer == "/passes/p/shader");
     CHECK(error.help.find("uniform ") != error.help.npos);
 }

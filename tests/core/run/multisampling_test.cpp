@@ -169,7 +169,7 @@ TEST_CASE("Samples of the host want OpenGL ES 3.1, and a device without it names
     CHECK(compile(readingHost(kHostTexture), {}, newerCaps(), sized()).ok());
     const Diagnostic error = onlyError(readingHost(kHostTexture), {}, ampleCaps());
     CHECK(error.code == Code::sampler_version);
-    CHECK(textAt(error.notes.at(0).place) == "host");
+    CHECK(textAt(error.place) == "host");
     CHECK(error.help.find("geometry/host_depth") != std::string::npos);
 }
 
@@ -184,7 +184,7 @@ TEST_CASE("Samples are read of the host's textures alone, and of such as are the
                                                   "uniform highp sampler2DMS x;\n"),
                                           {}, newerCaps());
     CHECK(resolved.code == Code::uniform_type);
-    CHECK(textAt(resolved.notes.at(0).place) == "x");
+    CHECK(textAt(resolved.place) == "x");
 }
 
 TEST_CASE("A host's texture with other samples than its sampler reads is refused")

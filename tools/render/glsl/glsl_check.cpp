@@ -2,6 +2,7 @@
 #include "tools/render/glsl/glsl_check.h"
 
 #include "core/base/text.h"
+#include "core/compile/steps.h"
 #include "core/glsl/compiler_words.h"
 #include "core/glsl/preprocessor.h"
 #include "tools/commands/cli/child_process.h"
@@ -82,24 +83,39 @@ ChildEnd compileApart(std::vector<CheckedProgram>& programs)
     return end;
 }
 
-/// Inputs that the fragment shader uses and the vertex shader does not write, which glslang lets
-/// pass.
-Diagnostics missingInputs(const CheckedStage& vertex, const CheckedStage& fragment)
+/// Whether the name at `i` is declared with the word before it.
+bool declaredWith(const GlslTokens& tokens, std::size_t i, std::string_view word)
+{
+    while (i > 0 && tokens[i - 1].kind == GlslToken::Kind::identifier && !tokens[i - 1].is(word))
+        --i;
+    return i > 0 && tokens[i - 1].is(word);
+}
+
+/// What glslang lets pass: inputs that the vertex shader does not write, or not so.
+Diagnostics wrongInputs(const CheckedStage& vertex, const CheckedStage& fragment)
 {
     const std::vector<std::string> outputs = namesOf(vertex.stage.outputs);
-    const GlslTokens& tokens = fragment.spread.tokens;
+    const GlslTokens &tokens = fragment.spread.tokens, &outs = vertex.spread.tokens;
     Diagnostics errors;
-    for (std::size_t i = 3; i + 1 < tokens.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+        if (!tokens[i + 1].is(";") || !declaredWith(tokens, i, "in")) continue;
         const std::string name(tokens[i].text);
         const auto same = [&](const GlslToken& token) { return token.is(name); };
-        const bool input =
-            tokens[i + 1].is(";") && (tokens[i - 2].is("in") || tokens[i - 3].is("in"));
-        if (!input || contains(outputs, name) ||
-            std::count_if(tokens.begin(), tokens.end(), same) == 1)
+        const Place place = placeOf(tokens[i], fragment.stage.files);
+        if (!contains(outputs, name)) {
+            if (std::count_if(tokens.begin(), tokens.end(), same) > 1)
+                errors.push_back({Code::shader_link,
+                                  "'" + name + "' comes in from no output of the vertex shader",
+                                  suggestName(name, outputs, "outputs"), place});
             continue;
-        errors.push_back(
-            {Code::shader_link, "'" + name + "' comes in from no output of the vertex shader",
-             suggestName(name, outputs, "outputs"), placeOf(tokens[i], fragment.stage.files)});
+        }
+        std::size_t out = 0;
+        while (out + 1 < outs.size() && !(same(outs[out]) && declaredWith(outs, out, "out"))) ++out;
+        for (const std::string word : {"flat", "centroid"})
+            if (declaredWith(tokens, i, word) != declaredWith(outs, out, word))
+                errors.push_back({Code::shader_link,
+                                  "'" + name + "' is " + word + " in one shader alone",
+                                  "write '" + word + "' in both, or in neither", place});
     }
     return errors;
 }
@@ -118,14 +134,20 @@ std::string linkedName(std::string_view error)
 
 Diagnostics linkErrors(const CheckedProgram& program)
 {
-    Diagnostics errors = missingInputs(program.vertex, program.fragment);
+    const CheckedStage &vertex = program.vertex, &fragment = program.fragment;
+    const std::string version(lineOf(vertex.stage.text, 1)), other(lineOf(fragment.stage.text, 1));
+    if (version != other)
+        return {{Code::shader_link,
+                 "a '" + other + "' does not fit the vertex shader's '" + version + "'",
+                 "write one version in both",
+                 {fragment.stage.files.front()}}};
+    Diagnostics errors = wrongInputs(vertex, fragment);
     const std::string& log = program.log;
     constexpr std::string_view kError = "ERROR: ";
     for (std::size_t at = 0, end = 0; (at = log.find(kError, end)) != log.npos;) {
         end = std::min(log.find(kError, at + 1), log.size());
         const std::string_view text = std::string_view(log).substr(at, end - at);
-        const CheckedStage& of =
-            text.find("fragment") == text.npos ? program.vertex : program.fragment;
+        const CheckedStage& of = text.find("fragment") == text.npos ? vertex : fragment;
         const std::string name = linkedName(text);
         const GlslTokens& tokens = of.spread.tokens;
         const auto found = std::find_if(tokens.begin(), tokens.end(),
@@ -192,9 +214,11 @@ std::string includeOf(const Description& description, const std::string& name)
 void suggestInclude(Diagnostic& error, const Description& description, const PlanProgram& program)
 {
     if (!endsWith(error.message, kNotDeclared)) return;
-    const std::string help = includeOf(description, std::string(quotedName(error.message)));
-    if (help.empty()) return;
-    error.help = help;
+    const std::string name(quotedName(error.message));
+    const std::string supply = compiler::declarationOf(description, name);
+    const std::string help = supply.empty() ? includeOf(description, name) : supply;
+    if (!help.empty()) error.help = help;
+    if (help.empty() || !supply.empty()) return;
     for (const GlslStage* stage : {&program.vertex, &program.fragment})
         for (const GlslInclude& each : findIncludes(stage->files.front()))
             if (each.name == error.place.source->path) blame(error, each.place, "it is used here");

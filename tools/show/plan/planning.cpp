@@ -2,8 +2,12 @@
 // Planning without a device.
 #include "tools/show/plan/planning.h"
 
+#include <crevice/shipped.h>
+
 #include "core/base/text.h"
+#include "core/config/decode_report.h"
 #include "core/frame/frame_values.h"
+#include "core/glsl/compiler_words.h"
 
 #include <algorithm>
 #include <limits>
@@ -101,6 +105,12 @@ Result<Plan> planForEveryScene(const Result<Description>& description, const std
     }
     append(errors, shaders.check(*description));
     cutShort(errors);
+    for (Diagnostic& each : errors) {
+        if (!endsWith(each.message, "', which is not defined")) continue;
+        const std::string modules = table::modulesThatDeclare(shippedSources(), "features",
+                                                              lowerCase(quotedName(each.message)));
+        if (!modules.empty()) each.help += "; it is one of " + modules + ", to be extended";
+    }
     if (!errors.empty()) return errors;
     return plan;
 }
