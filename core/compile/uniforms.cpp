@@ -172,14 +172,12 @@ void checkMultisampled(State& state, const Pass& pass, const GlslUniform& unifor
     const std::string who = quoted(pass) + ": sampler '" + uniform.name + "' ";
     const bool imported = source.kind == InputKind::imported;
     if (state.caps.version < 310) {
-        reportGlsl(
-            state, Code::sampler_version,
-            who +
-                "reads samples one by one, which needs OpenGL ES 3.1, and the device has "
-                "3.0",
-            pass, uniform.place,
-            "let the host resolve its texture (glBlitFramebuffer takes one sample of depth) and "
-            "take a module for one sample a pixel: geometry/host_depth");
+        report(state, Code::sampler_version,
+               who + "reads samples one by one, which needs OpenGL ES 3.1, and the device has 3.0",
+               pass.desc->shader,
+               "let the host resolve its texture (glBlitFramebuffer takes one sample of depth) and "
+               "take a module for one sample a pixel: geometry/host_depth")
+            .notes.push_back({uniform.place, "the GLSL declares it here"});
     } else if (!imported) {
         reportGlsl(state, Code::uniform_type,
                    who + "is a sampler2DMS, and what it reads has one sample a pixel", pass,

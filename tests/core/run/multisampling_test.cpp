@@ -169,7 +169,7 @@ TEST_CASE("Samples of the host want OpenGL ES 3.1, and a device without it names
     CHECK(compile(readingHost(kHostTexture), {}, newerCaps(), sized()).ok());
     const Diagnostic error = onlyError(readingHost(kHostTexture), {}, ampleCaps());
     CHECK(error.code == Code::sampler_version);
-    CHECK(textAt(error.place) == "host");
+    CHECK(textAt(error.notes.at(0).place) == "host");
     CHECK(error.help.find("geometry/host_depth") != std::string::npos);
 }
 
