@@ -234,7 +234,7 @@ void Speaker::syntax(const std::string& message)
     const bool value = isName(last) || last.kind == GlslToken::Kind::number || isOneOf(last, ")]");
     const std::string text(found.text), before(last.text);
     const std::string wanted = message.substr(std::min(message.find("expecting"), message.size()));
-    if (found.is("{") && depth > 0 && isName(last))
+    if (found.is("{") && depth > 0 && isName(last) && !last.is("else"))
         return say("a variable does not begin with '{'", "write: " + before + " = ...;");
     if (depth <= 0 && found.is("}"))
         return say("this '}' closes nothing", "take it out, or add the '{' that it is to close");

@@ -105,12 +105,11 @@ Result<Plan> planForEveryScene(const Result<Description>& description, const std
     }
     append(errors, shaders.check(*description));
     cutShort(errors);
-    for (Diagnostic& each : errors) {
-        if (!endsWith(each.message, "', which is not defined")) continue;
-        const std::string modules = table::modulesThatDeclare(shippedSources(), "features",
-                                                              lowerCase(quotedName(each.message)));
-        if (!modules.empty()) each.help += "; it is one of " + modules + ", to be extended";
-    }
+    for (Diagnostic& each : errors)
+        if (endsWith(each.message, "', which is not defined"))
+            each.help = table::declaredBy(shippedSources(), "features",
+                                          lowerCase(quotedName(each.message))) +
+                        each.help;
     if (!errors.empty()) return errors;
     return plan;
 }
