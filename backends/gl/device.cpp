@@ -295,8 +295,16 @@ ObjectInfo GlDevice::info(ObjectId id) const
         return {};
     case ObjectId::Kind::mesh:
         if (const MeshSlot* mesh = meshes_.find(id.value))
-            return {true,          0,       1, mesh->index_count, mesh->origin, mesh->label,
-                    mesh->normals, mesh->uv};
+            return {true,
+                    0,
+                    1,
+                    mesh->index_count,
+                    mesh->origin,
+                    mesh->label,
+                    mesh->normals,
+                    mesh->uv,
+                    Format::none,
+                    &mesh->sheets};
         return {};
     case ObjectId::Kind::program: return {programs_.find(id.value) != nullptr};
     case ObjectId::Kind::framebuffer: return {framebuffers_.find(id.value) != nullptr};

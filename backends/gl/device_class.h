@@ -94,6 +94,7 @@ private:
         GlBuffer indices;   // nothing of a host's mesh
         std::uint32_t index_count = 0;
         MeshOrigin origin = {};
+        std::vector<std::uint32_t> sheets = {};
         bool indexed = true;
         IndexType index_type = IndexType::uint32;
         std::uint32_t index_offset = 0;  // in bytes

@@ -105,8 +105,12 @@ Result<MeshId> GlDevice::createMesh(const MeshDesc& desc)
     if (Status status = checkMesh(desc); !status) return status.diagnostics();
     if (Status status = checkCurrent(); !status) return status.diagnostics();
     Scope scope(*this);
-    MeshSlot mesh{GlVertexArray::make(gl_), GlBuffer::make(gl_), GlBuffer::make(gl_),
-                  static_cast<std::uint32_t>(desc.indices.size()), originOf(desc)};
+    MeshSlot mesh{GlVertexArray::make(gl_),
+                  GlBuffer::make(gl_),
+                  GlBuffer::make(gl_),
+                  static_cast<std::uint32_t>(desc.indices.size()),
+                  originOf(desc),
+                  desc.may_have_sheets ? sheetsOf(desc) : std::vector<std::uint32_t>()};
     const bool beside = mesh.origin.x != 0 || mesh.origin.y != 0 || mesh.origin.z != 0;
     const std::vector<Vertex> moved =
         beside ? about(mesh.origin, desc.vertices) : std::vector<Vertex>();
@@ -115,8 +119,11 @@ Result<MeshId> GlDevice::createMesh(const MeshDesc& desc)
     gl_.BufferData(GL_ARRAY_BUFFER, desc.vertices.size() * sizeof(Vertex),
                    beside ? moved.data() : desc.vertices.data(), GL_STATIC_DRAW);
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.name());
-    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, desc.indices.size() * sizeof(std::uint32_t),
-                   desc.indices.data(), GL_STATIC_DRAW);
+    std::vector<std::uint32_t> indices = desc.indices;
+    for (const std::uint32_t first : mesh.sheets)
+        indices.insert(indices.end(), &desc.indices[first], &desc.indices[first] + 3);
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof(std::uint32_t), indices.data(),
+                   GL_STATIC_DRAW);
     const auto attribute = [&mesh](std::size_t offset) {
         return HostAttribute{mesh.vertices.name(), VertexType::float32,
                              static_cast<std::uint32_t>(offset), sizeof(Vertex)};

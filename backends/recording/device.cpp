@@ -211,6 +211,7 @@ Result<MeshId> RecordingDevice::createMesh(const MeshDesc& desc)
     Object object{ObjectId::Kind::mesh, desc.label};
     object.index_count = static_cast<std::uint32_t>(desc.indices.size());
     object.origin = originOf(desc);
+    if (desc.may_have_sheets) object.sheets = sheetsOf(desc);
     return MeshId{add(std::move(object), Call::create_mesh)};
 }
 
@@ -240,7 +241,8 @@ ObjectInfo RecordingDevice::info(ObjectId id) const
             object->label,
             object->normals,
             object->uv,
-            object->texture.format};
+            object->texture.format,
+            &object->sheets};
 }
 
 void RecordingDevice::destroy(ObjectId id)

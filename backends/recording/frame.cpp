@@ -194,7 +194,7 @@ void RecordingDevice::draw(MeshId id, std::uint32_t first, std::uint32_t count)
 {
     record(Call::draw, id.value, {first, count});
     const Object* mesh = find(id, "draw");
-    if (mesh && std::uint64_t{first} + count > mesh->index_count)
+    if (mesh && std::uint64_t{first} + count > mesh->index_count + 3 * mesh->sheets.size())
         blame("mesh '" + mesh->label + "' is drawn past its last index");
     checkDraw("draw");
 }

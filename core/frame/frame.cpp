@@ -284,7 +284,6 @@ SceneTraits steadyTraitsOf(const Frame& frame)
             continue;
         const Material& material = frame.materials[draw.material];
         traits.alpha_tested |= material.alpha_cutoff > 0.0f;
-        traits.sheets |= isSheet(draw, material);
         traits.specular |= glm::any(glm::greaterThan(material.specular, glm::vec3(0.0f)));
         traits.textured |= bool(material.base_color_map);
         traits.normal_mapped |= bool(material.normal_map);

@@ -92,7 +92,6 @@ struct TraitInfo {
 inline constexpr TraitInfo kTraits[] = {
     {"scene.lights", "SCENE_LIGHTS", nullptr, &SceneTraits::lights, kMaxLights},
     {"scene.alpha_tested", "SCENE_ALPHA_TESTED", &SceneTraits::alpha_tested},
-    {"scene.sheets", "SCENE_SHEETS", &SceneTraits::sheets},
     {"scene.specular", "SCENE_SPECULAR", &SceneTraits::specular},
     {"scene.textured", "SCENE_TEXTURED", &SceneTraits::textured},
     {"camera.orthographic", "CAMERA_ORTHOGRAPHIC", &SceneTraits::orthographic},

@@ -49,13 +49,19 @@ Diagnostic otherSamples(const ImportDesc& import, const std::string& pass, int s
                        : "resolve it, or take a module that reads samples");
 }
 
-// What to cull of a draw in a pass that culls `cull`: the other side where it is mirrored, and
-// nothing of a sheet.
-Cull cullOf(Cull cull, const DrawItem& item, const Material& material, bool mirrored)
+Cull otherSide(Cull cull)
 {
-    if (cull == Cull::none || isSheet(item, material)) return Cull::none;
-    if (!mirrored) return cull;
-    return cull == Cull::back ? Cull::front : Cull::back;
+    return cull == Cull::none ? cull : cull == Cull::back ? Cull::front : Cull::back;
+}
+
+// Of the triangles that a draw takes from a mesh those of sheets, as they stand once more.
+IndexRange sheetsIn(const DrawItem& item, const ObjectInfo& mesh)
+{
+    if (item.callback || !mesh.sheets || item.first % 3 != 0) return {};
+    const auto begin = std::lower_bound(mesh.sheets->begin(), mesh.sheets->end(), item.first);
+    const auto end = std::lower_bound(begin, mesh.sheets->end(), item.first + item.count);
+    const auto before = static_cast<std::uint32_t>(begin - mesh.sheets->begin());
+    return {mesh.index_count + 3 * before, static_cast<std::uint32_t>(3 * (end - begin))};
 }
 
 }  // namespace
@@ -329,6 +335,7 @@ bool Execution::updateDraws(const Frame& frame)
     changed = changed || frame.draws.size() != drawn_.draws.size();
     drawn_.draws.resize(frame.draws.size());
     drawn_.origins.resize(frame.draws.size());
+    drawn_.sheets.resize(frame.draws.size());
     drawn_.elided = false;
     for (std::size_t i = 0; i < frame.draws.size(); ++i) {
         const DrawItem& item = frame.draws[i];
@@ -339,6 +346,7 @@ bool Execution::updateDraws(const Frame& frame)
             const ObjectInfo mesh = device_.info(item.mesh);
             warnings_.look(item, mesh, frame.materials[item.material]);
             drawn_.origins[i] = mesh.origin;
+            drawn_.sheets[i] = sheetsIn(item, mesh);
         }
         take(drawn ? item : no_draw, drawn_.draws[i]);
     }
@@ -371,15 +379,22 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
     for (std::size_t i = 0; i < drawn_.draws.size(); ++i) {
         const DrawItem& item = drawn_.draws[i];
         if (!drawsSomething(item) || (culls && isOutside(placed[i].sphere, volume))) continue;
-        const Cull cull =
-            cullOf(pass.state.cull, item, drawn_.materials[item.material], placed[i].mirrored);
-        if (cull != state.cull) {
-            state.cull = cull;
-            device_.setProgram(pass.program, state);
-            setTextures(pass.textures);
-            sent.material = nullptr;
-        }
-        setDraw(pass, i, sent);
+        const IndexRange sheets = drawn_.sheets[i];
+        const bool sheet =
+            isSheet(item, drawn_.materials[item.material]) || sheets.count == item.count;
+        const Cull cull = sheet                ? Cull::none
+                          : placed[i].mirrored ? otherSide(pass.state.cull)
+                                               : pass.state.cull;
+        const auto set = [&](Cull side) {
+            if (side != state.cull) {
+                state.cull = side;
+                device_.setProgram(pass.program, state);
+                setTextures(pass.textures);
+                sent.material = nullptr;
+            }
+            setDraw(pass, i, sent);
+        };
+        set(cull);
         if (item.callback) {
             values_.takeDraw(sent.values);
             drawByHost(pass, item);
@@ -389,6 +404,9 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
             sent = {};
         } else {
             device_.draw(item.mesh, item.first, item.count);
+            if (cull == Cull::none || sheets.count == 0) continue;
+            set(otherSide(cull));
+            device_.draw(item.mesh, sheets.first, sheets.count);
         }
     }
 }

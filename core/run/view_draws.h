@@ -12,13 +12,20 @@
 
 namespace crevice {
 
+/// Indices in a row.
+struct IndexRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
 /// What draw passes draw; nothing in the place of what cannot be drawn.
 struct DrawnList {
     std::vector<DrawItem> draws;
     std::vector<MeshOrigin> origins;  ///< Of the draws' meshes.
     std::vector<Material> materials;
     std::uint64_t revision = 0;
-    bool elided = false;  ///< Something of the frame.
+    bool elided = false;                  ///< Something of the frame.
+    std::vector<IndexRange> sheets = {};  ///< Of the draws, what they draw once more.
 };
 
 /// A draw in a view.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/scene_upload.h"
 
-#include "tools/render/scene/mesh_normals.h"
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -88,7 +86,6 @@ Status UploadedScene::uploadMeshes(Device& device, const Scene& scene)
         meshes_.emplace_back(device, *id);
         items.back().mesh = *id;
         items.back().count = static_cast<std::uint32_t>(mesh.indices.size());
-        items.back().sheet = isOpen(mesh);
         setBounds(items.back(), mesh);
     }
     for (const SceneInstance& instance : scene.instances) {

@@ -178,6 +178,7 @@ private:
         std::vector<bool> uniform_set = {};  // a sampler's lasts for one setProgram
         std::uint32_t index_count = 0;
         MeshOrigin origin = {};
+        std::vector<std::uint32_t> sheets = {};
         bool normals = true;
         bool uv = true;
     };

@@ -237,6 +237,7 @@ struct MeshDesc {
     std::string label = {};
     std::vector<Vertex> vertices = {};
     std::vector<std::uint32_t> indices = {};  ///< Triangles.
+    bool may_have_sheets = true;              ///< Whether sheetsOf looks for them, see DrawItem.
 };
 
 /// How the numbers of an attribute are stored. `snorm` stands for [-1, 1] and `unorm` for [0, 1] in
@@ -297,6 +298,11 @@ struct MeshOrigin {
 /// floats make up for the distance.
 MeshOrigin originOf(const MeshDesc& mesh);
 
+/// The first index of each triangle of a sheet: of a connected surface with open edges, such as a
+/// leaf, cloth or the ground. A body may have holes whose outline is short for its area, as scanned
+/// models have. Vertices at one place count as one. In time n log n: 0.3 s for a million triangles.
+std::vector<std::uint32_t> sheetsOf(const MeshDesc& mesh);
+
 /// What a device knows of one of its objects. Of an id that it does not have, `exists` is false.
 struct ObjectInfo {
     bool exists = false;
@@ -308,6 +314,8 @@ struct ObjectInfo {
     bool normals = true;            ///< Whether a mesh has them,
     bool uv = true;                 ///< ... and these.
     Format format = Format::none;   ///< Of a texture.
+    /// Of a mesh: its sheetsOf. These triangles stand once more behind its last index.
+    const std::vector<std::uint32_t>* sheets = nullptr;
 };
 
 /// A uniform that a linked program really has.

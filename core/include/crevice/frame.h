@@ -161,9 +161,10 @@ struct DrawItem {
     glm::vec3 bounds_center = glm::vec3(0.0f);
     float bounds_radius = -1.0f;
 
-    /// A surface without a back of its own, seen from either side: a leaf, cloth, the ground. No
-    /// pass culls it, so that its back is its front, and light passes behind it. What has an
-    /// alpha_cutoff is one in any case.
+    /// All of it is a surface without a back of its own, seen from either side: a leaf, cloth, the
+    /// ground. No pass culls it, so that its back is its front, and light passes behind it. What
+    /// has an alpha_cutoff is one in any case, and so are the triangles that sheetsOf finds in
+    /// `mesh`.
     bool sheet = false;
 
     /// Draws in the place of `mesh`, `first` and `count`, in every pass that draws the scene: so
@@ -265,7 +266,6 @@ struct SceneTraits {
     bool reversed_depth = false;   ///< camera.reversed_depth: what is farther has less depth
     bool normal_mapped = false;    ///< scene.normal_mapped: some material has a normal_map
     bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map
-    bool sheets = false;           ///< scene.sheets: some draw is a sheet
     /// scene.material_ambient: some material's `ambient` is below 1
     bool material_ambient = false;
     int views = 1;            ///< camera.views

@@ -44,10 +44,7 @@ float depthOf(highp sampler2D backs, vec2 at, vec3 front)
     vec3 back;
     bool closed = pointIn(backs, at, back);
     if (closed && back.z < front.z) return distance(back, front) / max(radius, 1e-30);
-#if SCENE_SHEETS
-    if (closed) return kSheet;
-#endif
-    return kUnknown;
+    return closed ? kSheet : kUnknown;
 }
 
 void main()

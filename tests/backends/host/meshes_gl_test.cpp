@@ -57,7 +57,7 @@ struct HostScene : GlFixture {
 
     Image own()
     {
-        const MeshId mesh = need(device->createMesh({"own", vertices(), indices}));
+        const MeshId mesh = need(device->createMesh({"own", vertices(), indices, false}));
         frame.draws[0].mesh = mesh;
         Image image = drawn();
         device->destroy(mesh);
@@ -240,7 +240,7 @@ TEST_CASE_METHOD(HostScene,
     CHECK(host.calls >= 2);  // front faces and back faces
 
     host.draws = false;  // and leaves its disorder to a mesh of the device's own
-    const MeshId mesh = need(device->createMesh({"own", vertices(), indices}));
+    const MeshId mesh = need(device->createMesh({"own", vertices(), indices, false}));
     frame.draws.push_back({mesh, 0, static_cast<std::uint32_t>(vertices().size())});
     CHECK(same(drawn(), wanted));
     device->destroy(mesh);

@@ -142,9 +142,9 @@ TEST_CASE("A swap changes the module and leaves out with a warning what was set 
         CHECK(each.code == (unused ? Code::unused_name : Code::unknown_param));
         elided.push_back(each.pointer);
     }
-    CHECK(elided == std::vector<std::string>{"/params/bias_length", "/params/samples",
-                                             "/features/guards", "/features/basis",
-                                             "/features/range_check", "/generated/kernel",
+    CHECK(elided == std::vector<std::string>{"/features/guards", "/features/basis",
+                                             "/features/range_check", "/params/bias_length",
+                                             "/params/samples", "/generated/kernel",
                                              "/generated/rotation_noise"});
     CHECK_FALSE(findNamed(description->params, "samples"));
 }

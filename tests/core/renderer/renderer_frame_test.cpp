@@ -5,6 +5,7 @@
 #include "core/frame/frame_math.h"
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
+#include "tools/render/scene/mesh_shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -138,6 +139,20 @@ TEST_CASE("What is mirrored is culled the other way round")
     CHECK(culls() == "bfb");  // the view alone
 }
 
+/// What is culled of each draw of the next frame, by its first letter.
+std::string culledOf(Rig& rig)
+{
+    std::istringstream lines(rig.draw());
+    std::string order;
+    char cull = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t at = line.find("cull ");
+        if (at != line.npos) cull = line[at + 5];
+        if (line.find("draw ") == 0) order += cull;
+    }
+    return order;
+}
+
 TEST_CASE("Nothing of a sheet is culled")
 {
     Rig rig;
@@ -148,21 +163,35 @@ TEST_CASE("Nothing of a sheet is culled")
     sheet.sheet = true;
     leaf.material = static_cast<int>(rig.frame.materials.size()) - 1;
     rig.frame.draws = {body, sheet, leaf, body};
-    CHECK(traitsOf(rig.frame).sheets);
     cullGeometry(rig, Cull::front);
-    const std::string log = rig.draw();
-    INFO(log);
-    std::istringstream lines(log);
-    std::string order;  // what is culled of each draw
-    char cull = 0;
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t at = line.find("cull ");
-        if (at != line.npos) cull = line[at + 5];
-        if (line.find("draw ") == 0) order += cull;
+    CHECK(culledOf(rig) == "fnnf");
+}
+
+TEST_CASE("Of a mesh with sheets these are drawn once more, from their other side")
+{
+    Rig rig;
+    look(rig.frame);
+    MeshDesc mesh = makeBox({-1, -1, -1}, {1, 1, 1});
+    const auto body = static_cast<std::uint32_t>(mesh.indices.size());
+    for (const std::uint32_t corner : {0, 1, 2}) {
+        mesh.vertices.push_back(mesh.vertices[corner]);
+        mesh.vertices.back().position[1] += 5;
+        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()) - 1);
     }
-    CHECK(order == "fnnf");
-    rig.frame.draws = {body};
-    CHECK_FALSE(traitsOf(rig.frame).sheets);
+    DrawItem& item = rig.frame.draws[0];
+    item.mesh = need(rig.device.createMesh(mesh));
+    cullGeometry(rig, Cull::front);
+    const auto culled = [&](std::uint32_t first, std::uint32_t count) {
+        item.first = first;
+        item.count = count;
+        return culledOf(rig);
+    };
+    CHECK(culled(0, body + 3) == "fb");
+    CHECK(culled(0, body) == "f");
+    CHECK(culled(body, 3) == "n");
+    mesh.may_have_sheets = false;
+    item.mesh = need(rig.device.createMesh(mesh));
+    CHECK(culled(0, body + 3) == "f");
 }
 
 TEST_CASE("Normals stay normal to what they stand on, turned, stretched, mirrored, tiny and huge")

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Normals, winding, shared vertices and open edges of imported meshes, in time that grows with n
-// log n whatever the mesh looks like: files hold fans of a million triangles and as many copies of
-// one.
+// Normals, winding and shared vertices of imported meshes, in time that grows with n log n whatever
+// the mesh looks like: files hold fans of a million triangles and as many copies of one.
 #pragma once
 
 #include <crevice/device.h>
@@ -29,10 +28,5 @@ constexpr double kGltfCreaseDegrees = 0.0;
 /// All of these, for a mesh as a file has it: winds it by its normals, or makes them where the file
 /// has none.
 void finishMesh(MeshDesc& mesh, bool has_normals, double crease_degrees);
-
-/// Whether most of the mesh's area is surfaces with open edges, rather than the hull of a body:
-/// leaves, cloth, a floor. A body may have holes whose outline is short for its area, as scanned
-/// models have. Requires indices below the number of vertices.
-bool isOpen(const MeshDesc& mesh);
 
 }  // namespace crevice

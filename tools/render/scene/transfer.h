@@ -108,8 +108,8 @@ void transfer(Pipe& pipe, bool& value)
 template <class Pipe>
 void transfer(Pipe& pipe, MeshDesc& mesh)
 {
-    auto& [label, vertices, indices] = mesh;
-    transferAll(pipe, label, vertices, indices);
+    auto& [label, vertices, indices, may_have_sheets] = mesh;
+    transferAll(pipe, label, vertices, indices, may_have_sheets);
 }
 
 template <class Pipe>

@@ -88,22 +88,3 @@ TEST_CASE("missing normals become those of the face, beside one that is there")
     fillNormals(mesh);
     CHECK(normalOf(mesh.vertices[0]) == glm::vec3(0, 0, 1));
 }
-
-TEST_CASE("a surface with a long outline is open, a body with seams and small holes is not")
-{
-    const MeshDesc box = makeBox({-1, -1, -1}, {1, 2, 3});
-    MeshDesc without_face = box;
-    without_face.indices.resize(box.indices.size() - 6);
-    MeshDesc sphere = makeSphere(2.0f, 24);  // its two sides meet at a seam, where they round apart
-    for (Vertex& vertex : sphere.vertices) vertex.position[0] += 7.0f;
-    MeshDesc holed = sphere;
-    holed.indices.erase(holed.indices.begin() + 600, holed.indices.begin() + 606);
-    MeshDesc half = sphere;
-    half.indices.resize(half.indices.size() / 2);
-    MeshDesc far_away = half;
-    for (Vertex& vertex : far_away.vertices) vertex.position[1] += 1e6f;
-    for (const MeshDesc& mesh : {box, sphere, holed, MeshDesc()}) CHECK_FALSE(isOpen(mesh));
-    for (const MeshDesc& mesh :
-         {makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), without_face, half, far_away})
-        CHECK(isOpen(mesh));
-}

@@ -37,7 +37,7 @@ TEST_CASE("A pass that fails in some scene or under some camera fails to validat
     const TemporaryFolder folder("planning");
     for (const char* condition :
          {R"("scene.lights": false)", R"("scene.lights": true)", R"("scene.alpha_tested": false)",
-          R"("scene.sheets": true)", R"("scene.specular": false)", R"("scene.textured": false)",
+          R"("scene.specular": false)", R"("scene.textured": false)",
           R"("camera.orthographic": true)", R"("camera.reversed_depth": true)",
           R"("camera.turned": true)", R"("camera.views": 2)", R"("scene.normal_mapped": true)",
           R"("scene.baked_occlusion": true)", R"("scene.material_ambient": true)",

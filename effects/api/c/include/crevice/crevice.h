@@ -476,8 +476,9 @@ typedef struct crevice_draw {
     float bounds_center[3];
     float bounds_radius;
 
-    /// A surface without a back of its own, seen from either side: a leaf, cloth, the ground. No
-    /// pass culls it, and light passes behind it. What has an alpha_cutoff is one in any case.
+    /// All of it is a surface without a back of its own, seen from either side: a leaf, cloth, the
+    /// ground. No pass culls it, and light passes behind it. What has an alpha_cutoff is one in any
+    /// case, and so is each connected surface with open edges of a mesh of crevice_mesh_create.
     bool sheet;
 
     /// A number that changes whenever your buffers hold something else, or the callback draws
