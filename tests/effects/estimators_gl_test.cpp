@@ -4,6 +4,8 @@
 #include "tests/support/modules.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
+#include "tools/render/scene/mesh_normals.h"
+#include "tools/render/scene/mesh_shapes.h"
 
 using namespace crevice;
 
@@ -37,6 +39,29 @@ TEST_CASE("Occlusion sets in gradually as the radius grows from one pixel to two
         INFO(estimator << ' ' << occlusion(1.1) << ' ' << occlusion(2));
         CHECK(occlusion(2) > 0);
         CHECK(occlusion(1.1) < 0.1 * occlusion(2));
+    }
+}
+
+TEST_CASE("Vertex normals that lean from the planes of a convex body darken nothing of it")
+{
+    SceneRig rig("corner");
+    Scene scene;
+    scene.meshes = {makeBox({-1, -0.4f, -1}, {1, 0.4f, 1})};
+    smoothNormals(scene.meshes[0], 180);
+    scene.instances.resize(1);
+    scene.materials.resize(1);
+    rig.show(std::move(scene));
+    rig.extent = {192, 108};
+    for (const Names& modules :
+         {Names{"ssao/gtao"}, Names{"ssao/bitmask"}, Names{"ssao/bitmask", "geometry/back_faces"},
+          Names{"ssao/bitmask", "geometry/back_faces", "filter/upsample"}}) {
+        for (const char* camera : {"eye=2,2,3;at=0,0,0;fov=40", "eye=2,2,3;at=0,0,0;ortho=3"}) {
+            const Image ao = visibility(rig, modules, {"radius=0.5"}, camera);
+            INFO(modules.front() << ' ' << modules.back() << ' ' << camera);
+            CHECK(shareBelow(ao, 0.9f) < 0.005);  // at corners in front of the background
+            CHECK(least(ao) > 0.4f);
+            CHECK(mean(ao) > 0.99);
+        }
     }
 }
 

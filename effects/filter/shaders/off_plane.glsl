@@ -5,14 +5,19 @@
 // Depths are shares (common/depth_share.glsl), which run almost straight over the screen on a plane. Both weights fall
 // in a straight line, which is ours.
 //
-//   source_normal  normals at the size of the occlusion, with the guard band, and tolerances
+//   source_normal  normals of planes at the size of the occlusion, with the guard band, and tolerances; with
+//                  SHADING_NORMALS source_plane has them
 //
 // [Tomasi, Manduchi 1998]
 
 #include "common/depth_share.glsl"
 #include "common/pixel_ray.glsl"
 #include "common/tolerance.glsl"
+#include "ssao/shaders/shading_normals.glsl"
 
+#if SHADING_NORMALS
+#define source_normal source_plane
+#endif
 uniform mediump sampler2D source_normal;
 uniform highp float depth_cut;
 uniform highp float slope_cut;

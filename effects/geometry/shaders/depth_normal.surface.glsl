@@ -11,6 +11,14 @@ bool viewPosition(highp vec2 at, out highp vec3 point)
     return pointIn(depth, at, point);
 }
 
+// View depth in a texel about that at uv.
+highp float viewZIn(highp ivec2 texel, highp vec2 at)
+{
+    highp float stored = texelFetch(depth, clamp(texel, ivec2(0), textureSize(depth, 0) - 1), 0).r;
+    highp vec2 view = (view_from_window * vec4(at, stored, 1.0)).zw;
+    return view.x / max(view.y, kSmallestW);
+}
+
 // How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
 // are stored.
 highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reach)

@@ -21,6 +21,13 @@ bool viewPosition(highp vec2 at, out highp vec3 point)
     return stored > 0.0 && stored < LINEAR_FAR;
 }
 
+// View depth in a texel about that at uv.
+highp float viewZIn(highp ivec2 texel, highp vec2 at)
+{
+    highp float stored = texelFetch(linear_depth, clamp(texel, ivec2(0), textureSize(linear_depth, 0) - 1), 0).r;
+    return stored > 0.0 ? -stored : -1e15;
+}
+
 // How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
 // are stored.
 highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reach)

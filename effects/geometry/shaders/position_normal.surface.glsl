@@ -24,6 +24,13 @@ bool viewPositionAtTap(highp vec2 at, out highp vec3 point)
     return stored.a > 0.5;
 }
 
+// View depth in a texel about that at uv.
+highp float viewZIn(highp ivec2 texel, highp vec2 at)
+{
+    highp vec4 stored = texelFetch(position, clamp(texel, ivec2(0), textureSize(position, 0) - 1), 0);
+    return stored.a > 0.5 ? viewFromHost(stored.xyz).z : -1e15;
+}
+
 // How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
 // are stored.
 highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reach)

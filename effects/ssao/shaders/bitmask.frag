@@ -15,7 +15,6 @@ precision highp float;  // positions and depths; mediump bands
 precision highp int;    // all 32 bits of a mask: mediump has 16
 
 #include "ssao/shaders/march.glsl"
-#include "ssao/shaders/lift.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 
 // Switches of geometry/back_faces and geometry/second_layer, which a config may lack. The second layer is what lies
@@ -97,7 +96,8 @@ mediump float filledBetween(Trail trail, mediump float step_here, mediump float 
 mediump float sectorOf(Side side, mediump float height, mediump float towards, mediump float inverse)
 {
     mediump float lift = liftOf(height * inverse / side.projected_length, towards * inverse, side.cos_n, side.sin_n);
-    return min(kSectors * lightBelow(lift, side.cos_n, side.sin_n) / side.whole, kSectors);
+    mediump float light = max(lightBelow(lift, side.cos_n, side.sin_n) - side.below, 0.0);
+    return min(kSectors * light / side.whole, kSectors);
 }
 
 // The sectors blocked by something whose front is at `offset` and which is `deep` along its ray,
@@ -194,7 +194,7 @@ uint blockedOn(March march, inout Side side, bool second)
         mediump float square = up * up;
         mediump float across = square * up * (0.667 + square * (0.2 + 0.704 * square * square * square));
         if (side.sin_n > 0.0 && dot(trail.offset, march.to_camera) > side.cos_n * sqrt(near)) across = kPi - across;
-        mediump float light = 0.5 * (side.cos_n * square + side.sin_n * across);
+        mediump float light = 0.5 * (side.cos_n * square + side.sin_n * across) - side.below;
         blocked |= maskOf(clamp(kSectors * light / side.whole, 0.0, kSectors), trail.sector);
     }
     return blocked;

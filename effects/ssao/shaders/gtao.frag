@@ -15,7 +15,6 @@ precision highp float;  // positions and depths; mediump bands
 precision highp int;
 
 #include "ssao/shaders/march.glsl"
-#include "ssao/shaders/lift.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 
 uniform float max_gap;
@@ -28,7 +27,7 @@ layout(location = 1) out vec4 bent_normal;
 // Lift of the horizon of one side. [Jimenez et al. 2016: lines 17 to 26 of algorithm 1]
 mediump float horizonOf(March march, Side side, int steps)
 {
-    mediump float horizon = 0.0;
+    mediump float horizon = side.ground;
     mediump vec3 before = vec3(0.0);  // what the tap before saw
     mediump float near = 0.0;         // its distance, squared
     mediump float step_before = 0.0;
@@ -80,7 +79,7 @@ void main()
     for (int i = 0; i < sides; ++i) {
         Side side = sideOf(march, i);
         mediump float horizon = horizonOf(march, side, steps);
-        blocked += side.projected_length * lightBelow(horizon, side.cos_n, side.sin_n);
+        blocked += side.projected_length * (lightBelow(horizon, side.cos_n, side.sin_n) - side.below);
         whole += side.projected_length * side.whole;
 #ifdef BENT_NORMALS
         mediump vec2 direction = openDirection(horizon, side.cos_n, side.sin_n);

@@ -11,7 +11,8 @@
 // [Bavoil, Sainz 2008] - the integral of sin h - sin t, of elevations over the screen; here angles count from the
 // camera, so that sines are cosines. [SCS 2020] - skip or count.
 
-#include "ssao/shaders/lift.glsl"
+#undef SHADING_NORMALS
+#define SHADING_NORMALS 0  // the authors have one normal
 #include "ssao/shaders/march.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 

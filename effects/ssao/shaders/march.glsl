@@ -3,6 +3,7 @@
 //
 //   source_depth   view depth as a share, with the guard band; 0 in the background
 //   source_normal  normal in view space, and in alpha how far off its plane the surface may come out
+//   source_plane   with SHADING_NORMALS: the normal of that plane
 //
 // Taps lie on a straight line of texels, which a slice through the view ray is on the screen. Lengths of what a tap
 // sees are in radii. What lives from tap to tap is a few numbers: a phone's core has 32 registers for full speed.
@@ -13,9 +14,14 @@
 #include "common/pixel_noise.glsl"
 #include "common/pixel_ray.glsl"
 #include "common/tolerance.glsl"
+#include "ssao/shaders/lift.glsl"
+#include "ssao/shaders/shading_normals.glsl"
 
 uniform highp sampler2D source_depth;
 uniform mediump sampler2D source_normal;
+#if SHADING_NORMALS
+uniform mediump sampler2D source_plane;
+#endif
 uniform highp float bias;
 uniform highp vec2 viewport_size;
 
@@ -36,7 +42,8 @@ struct March {
     highp float unit;        // of the shares of depth
     highp vec2 pixel;        // its middle
     highp ivec2 band;        // the guard band's texels on either side
-    mediump vec3 normal;
+    mediump vec3 normal;     // weighs light
+    mediump vec3 plane;      // normal of the surface's plane
     mediump vec3 to_camera;  // unit
     mediump vec2 noise;      // 0..1: turns the slices, shifts the taps
 };
@@ -64,6 +71,9 @@ highp float seenReach(highp vec3 point)
 #endif
 }
 
+// A normal that leans away from the camera is bent until the cosine to it is this.
+const mediump float kLeastFacing = 0.05;
+
 // False in the background.
 bool marchFrom(highp vec2 pixel, out March march)
 {
@@ -73,6 +83,10 @@ bool marchFrom(highp vec2 pixel, out March march)
     highp float share = max(stored, kFarthestShare);
     mediump vec4 stored_normal = texelFetch(source_normal, texel, 0);
     march.normal = normalize(stored_normal.xyz * 2.0 - 1.0);
+    march.plane = march.normal;
+#if SHADING_NORMALS
+    march.plane = normalize(texelFetch(source_plane, texel, 0).xyz * 2.0 - 1.0);
+#endif
     highp float z = zOfShare(share, depthUnit());
     highp vec2 shown = usedRadius() / abs(vec2(ray_from_pixel[0].x, ray_from_pixel[1].y));
 #if !CAMERA_ORTHOGRAPHIC
@@ -91,10 +105,14 @@ bool marchFrom(highp vec2 pixel, out March march)
 #endif
     // Of a radius wider than the screen the screen's share.
     highp float lift = bias * wider / max(screens, 1.0);
-    highp float facing = abs(dot(march.normal, rayThrough(inView(pixel))));
+#if SHADING_NORMALS
+    mediump float away = max(kLeastFacing - dot(march.normal, march.to_camera), 0.0);
+    march.normal = normalize(march.normal + march.to_camera * away);
+#endif
+    highp float facing = abs(dot(march.plane, rayThrough(inView(pixel))));
     highp float rounding = shareStep(share) / march.radius * facing;
     highp float tolerance = stored_normal.a > 0.0 ? toleranceOf(stored_normal.a) * wider : 0.0;  // the least is no more
-    march.point = point + march.normal * max(lift, max(rounding, tolerance));
+    march.point = point + march.plane * max(lift, max(rounding, tolerance));
     march.pixel = pixel;
     march.noise = pixelNoise(hostPixel(inView(pixel), viewport_size));
     return stored > 0.0;
@@ -106,7 +124,9 @@ struct Side {
     mediump float cos_n;  // cosine of the angle between the view ray and the normal's projection onto the slice
     mediump float sin_n;  // its sine, positive where the normal leans towards this side
     mediump float projected_length;  // of the unit normal, projected onto the slice
-    mediump float whole;  // the light of all of it
+    mediump float ground; // lift of the surface's plane over the level that the normal has: 0 where it lies below
+    mediump float below;  // the light below that
+    mediump float whole;  // the light of all of it, over the plane
     highp vec2 step;     // from tap to tap, in pixels
     highp vec2 first;    // where the first lies
     bool cut;            // the screen or its guard band ends before the radius does
@@ -134,6 +154,19 @@ Side sideOf(March march, int i)
     side.projected_length = 1.0 / inverse_length;
     mediump float n = 0.5 * kPi - angleOf(side.sin_n);
     side.whole = 0.5 * (side.cos_n + (0.5 * kPi + n) * side.sin_n);
+    side.ground = 0.0;
+    side.below = 0.0;
+#if SHADING_NORMALS
+    // Along the plane: its components towards the camera and along the side, with the normal's cosine and sine.
+    mediump vec2 plane = vec2(dot(march.plane, march.to_camera), dot(march.plane, along));
+    plane *= inversesqrt(max(dot(plane, plane), 1e-3));
+    mediump float height = side.sin_n * plane.x - side.cos_n * plane.y;
+    if (height > 0.0) {
+        side.ground = liftOf(height, -plane.y, side.cos_n, side.sin_n);
+        side.below = lightBelow(side.ground, side.cos_n, side.sin_n);
+        side.whole = max(side.whole - side.below, 1e-2);
+    }
+#endif
     highp vec3 way = seenReach(march.point) * along;
 #if !CAMERA_ORTHOGRAPHIC
     highp vec2 ray = march.point.xy / march.point.z;

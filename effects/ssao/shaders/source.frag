@@ -6,18 +6,23 @@
 //   source_depth   view depth as a share (common/depth_share.glsl); 0 in the background
 //   source_normal  normal in view space, stored as n * 0.5 + 0.5, and in alpha how far off its plane the surface may
 //                  come out (common/tolerance.glsl)
+//   source_plane   with SHADING_NORMALS, the same of the plane: what source_normal has there only weighs light
 //
 // Each texel stands for one texel of the surface, whose plane it meets at its own middle: so a plane stays one.
 precision highp float;  // positions and depths
 precision highp int;
 
 #include <surface>
+#include "ssao/shaders/shading_normals.glsl"
 #include "common/depth_share.glsl"
 #include "common/tolerance.glsl"
 
 uniform vec2 viewport_size;
 
 layout(location = 0) out vec4 source_normal;
+#if SHADING_NORMALS
+layout(location = 1) out vec4 source_plane;
+#endif
 
 void main()
 {
@@ -25,12 +30,22 @@ void main()
     vec3 point;
     if (!viewPosition(at, point)) {
         source_normal = vec4(0.0);
+#if SHADING_NORMALS
+        source_plane = vec4(0.0);
+#endif
         gl_FragDepth = 0.0;
         return;
     }
     vec3 normal = normalAt(at);
     if (!(dot(normal, normal) < 2.0)) normal = vec3(0.0, 0.0, 1.0);  // a host's that are no numbers
-    float tolerance = depthTolerance(point, normal, 0.0) / usedRadius();
-    source_normal = vec4(normal * 0.5 + 0.5, storedTolerance(tolerance));
-    gl_FragDepth = shareOfZ(planeZ(at, point, normal), depthUnit());
+    vec3 plane = normal;
+#if SHADING_NORMALS
+    plane = planeAt(at, point, normal);
+#endif
+    float tolerance = storedTolerance(depthTolerance(point, plane, 0.0) / usedRadius());
+    source_normal = vec4(normal * 0.5 + 0.5, tolerance);
+#if SHADING_NORMALS
+    source_plane = vec4(plane * 0.5 + 0.5, tolerance);
+#endif
+    gl_FragDepth = shareOfZ(planeZ(at, point, plane), depthUnit());
 }

@@ -49,7 +49,7 @@ const Row kOcclusion[] = {
     {"ssdo", kWide, {"intensity=1.5", "power=0.6"}, 0.2290, -0.0327},
     {"sao", kClose, {"intensity=0.5", "power=4"}, 0.2015, 0.1170},
     {"gtao", kClose, {"bias=0.1"}, 0.0737, 0.0221},
-    {"gtao", kWide, {"guard_band=1"}, 0.1167, 0.0003},
+    {"gtao", kWide, {"guard_band=1"}, 0.1167, 0.0013},
     {"gtao", kClose, {"max_gap=0.5"}, 0.1333, 0.0672},
     {"bitmask", kWide, {"thickness=0.1"}, 0.1556, 0.1066},
     {"bitmask", kClose, {"thickness=2", "bias=0.05"}, 0.1272, -0.0472},

@@ -200,11 +200,11 @@ bool PixelTracer::probed(int x, int y, ProbedPoint& point) const
     return true;
 }
 
-int PixelTracer::countOpen(const ProbedPoint& point, int x, int y, int pass) const
+ProbeCount PixelTracer::countOpen(const ProbedPoint& point, int x, int y, int pass) const
 {
-    if (radius_ <= 0.0) return probes(pass);
+    if (radius_ <= 0.0) return {probes(pass), probes(pass)};
     const Turn turn(point.normal, hashed(static_cast<std::uint32_t>(x) + hashed(y)));
-    int open = 0;
+    ProbeCount count;
     TraceBatch batch;
     for (int first = passes_.begins[pass]; first < passes_.begins[pass + 1]; first += 8) {
         for (int k = 0; k < 8; ++k) {
@@ -213,10 +213,11 @@ int PixelTracer::countOpen(const ProbedPoint& point, int x, int y, int pass) con
             const bool above = glm::dot(direction, point.geometric) > 0.0f;
             batch.valid[k] = first + k <= last && above ? -1 : 0;
             batch.directions[k] = direction;
+            count.over -= batch.valid[k];
         }
-        open += scene_.countOpen(point.origin, batch, radius_);
+        count.open += scene_.countOpen(point.origin, batch, radius_);
     }
-    return open;
+    return count;
 }
 
 }  // namespace crevice

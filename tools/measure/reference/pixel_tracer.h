@@ -31,6 +31,12 @@ struct ProbedPoint {
     glm::vec3 normal;     ///< What the probes are spread about.
 };
 
+/// Probes over a surface's plane, and how many of them are open.
+struct ProbeCount {
+    int open = 0;
+    int over = 0;
+};
+
 /// Requires what checkTrace() checks. The scene must outlive it. Safe to use from any number of
 /// threads.
 class PixelTracer {
@@ -44,8 +50,9 @@ public:
     /// The same for its probes.
     bool probed(int x, int y, ProbedPoint& point) const;
 
-    /// How many probes of a pass are open at the pixel's surface.
-    int countOpen(const ProbedPoint& point, int x, int y, int pass) const;
+    /// Probes of a pass at the pixel's surface. About a normal that leans from the surface's plane
+    /// some lie below that, where no light comes from in any case: they do not count.
+    ProbeCount countOpen(const ProbedPoint& point, int x, int y, int pass) const;
 
     int passes() const { return static_cast<int>(passes_.begins.size()) - 1; }
     int probes(int pass) const { return passes_.begins[pass + 1] - passes_.begins[pass]; }

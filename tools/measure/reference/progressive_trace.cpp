@@ -38,29 +38,35 @@ ProgressiveTrace::ProgressiveTrace(const PixelTracer& tracer)
 void ProgressiveTrace::findSurfaces(Row& row, int y) const
 {
     const auto width = static_cast<std::size_t>(extent().width);
-    row.open.assign(width, 0);
+    row.counts.assign(width, {});
     row.points.resize(width);
     for (int x = 0; x < extent().width; ++x)
-        if (!tracer_.probed(x, y, row.points[x])) row.open[x] = -1;
+        if (!tracer_.probed(x, y, row.points[x])) row.counts[x].open = -1;
 }
 
 void ProgressiveTrace::traceRow(int pass, int y)
 {
     Row& row = rows_[y];
     if (row.passes == 0) findSurfaces(row, y);
-    for (int x = 0; x < extent().width; ++x)
-        if (row.open[x] >= 0) row.open[x] += tracer_.countOpen(row.points[x], x, y, pass);
-    row.probes += tracer_.probes(pass);
+    for (int x = 0; x < extent().width; ++x) {
+        ProbeCount& count = row.counts[x];
+        if (count.open < 0) continue;
+        const ProbeCount more = tracer_.countOpen(row.points[x], x, y, pass);
+        count.open += more.open;
+        count.over += more.over;
+    }
     if (++row.passes == passes()) row.points = {};
 }
 
 void ProgressiveTrace::readRow(int y, float* visibility) const
 {
     const Row& row = rows_[y];
-    for (int x = 0; x < extent().width; ++x)
-        visibility[x] = row.probes > 0 && row.open[x] >= 0
-                            ? static_cast<float>(row.open[x]) / static_cast<float>(row.probes)
-                            : std::numeric_limits<float>::quiet_NaN();
+    for (int x = 0; x < extent().width; ++x) {
+        const ProbeCount count = row.passes > 0 ? row.counts[x] : ProbeCount{-1, 0};
+        const bool seen = count.open >= 0;
+        const float open = count.over > 0 ? float(count.open) / float(count.over) : 1.0f;
+        visibility[x] = seen ? open : std::numeric_limits<float>::quiet_NaN();
+    }
 }
 
 Image ProgressiveTrace::image() const

@@ -42,9 +42,9 @@ public:
 private:
     // -1 where there is no surface.
     struct Row {
-        std::vector<int> open;
+        std::vector<ProbeCount> counts;   // open: -1 in the background
         std::vector<ProbedPoint> points;  // kept while there are passes to come
-        int probes = 0, passes = 0;
+        int passes = 0;
     };
 
     ProgressiveTrace(const PixelTracer& tracer);

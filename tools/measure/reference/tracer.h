@@ -20,7 +20,7 @@
 namespace crevice {
 
 /// Changes whenever the picture may: a part of the key of cached references.
-constexpr int kTracerVersion = 2;
+constexpr int kTracerVersion = 3;
 
 constexpr int kMaxTraceRays = 1 << 20;
 

@@ -32,8 +32,12 @@ std::vector<std::string> headersOf(const httplib::Request& request, const char* 
 
 SiteRequest siteRequest(const httplib::Request& request)
 {
-    return {request.method, request.path, headersOf(request, "Host"), headersOf(request, "Origin"),
-            headersOf(request, "Sec-Fetch-Site"), headersOf(request, "If-Match")};
+    return {request.method,
+            request.path,
+            headersOf(request, "Host"),
+            headersOf(request, "Origin"),
+            headersOf(request, "Sec-Fetch-Site"),
+            headersOf(request, "If-Match")};
 }
 
 // All of it, however large, so that the answer is read; of which no more than the limit is kept.
