@@ -41,6 +41,7 @@ void main()
     vec3 plane = normal;
 #if SHADING_NORMALS
     plane = planeAt(at, point, normal);
+    if (!(dot(plane, plane) < 2.0)) plane = normal;  // beside depths that are no numbers
 #endif
     float tolerance = storedTolerance(depthTolerance(point, plane, 0.0) / usedRadius());
     source_normal = vec4(normal * 0.5 + 0.5, tolerance);
