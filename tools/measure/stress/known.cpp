@@ -19,6 +19,7 @@ std::string_view knownStepsText();  // docs/stress/known.jsonl, embedded at buil
 namespace {
 
 constexpr double kInheritedError = 2;  // of a config's error over that of the one it extends
+constexpr double kRounded = 1.001;     // errors are kept with four digits
 
 bool fails(Outcome outcome) { return outcome == Outcome::breaks || outcome == Outcome::invalid; }
 
@@ -153,7 +154,7 @@ std::vector<std::string> worseThan(const KnownSteps& known, const KnownConfig& c
         const StressStanding before = has ? steps->second.at(label) : StressStanding{};
         const bool drawn = is.outcome != Outcome::refused && is.outcome != Outcome::absent &&
                            before.outcome != Outcome::refused;
-        const double factor = config.same ? 1 : kInheritedError;
+        const double factor = config.same ? kRounded : kInheritedError;
         const double most = std::max(factor * before.error, before.error + kSameChange);
         std::string what;
         if (fails(is.outcome) && !fails(before.outcome))
