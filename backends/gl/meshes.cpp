@@ -119,9 +119,13 @@ Result<MeshId> GlDevice::createMesh(const MeshDesc& desc)
     gl_.BufferData(GL_ARRAY_BUFFER, desc.vertices.size() * sizeof(Vertex),
                    beside ? moved.data() : desc.vertices.data(), GL_STATIC_DRAW);
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.name());
-    std::vector<std::uint32_t> indices = desc.indices;
-    for (const std::uint32_t first : mesh.sheets)
-        indices.insert(indices.end(), &desc.indices[first], &desc.indices[first] + 3);
+    std::vector<std::uint32_t> twice;  // the indices, and those of sheets once more
+    if (!mesh.sheets.empty()) {
+        twice = desc.indices;
+        for (const std::uint32_t first : mesh.sheets)
+            twice.insert(twice.end(), &desc.indices[first], &desc.indices[first] + 3);
+    }
+    const std::vector<std::uint32_t>& indices = twice.empty() ? desc.indices : twice;
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof(std::uint32_t), indices.data(),
                    GL_STATIC_DRAW);
     const auto attribute = [&mesh](std::size_t offset) {

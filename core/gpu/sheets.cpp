@@ -66,18 +66,21 @@ std::vector<std::uint32_t> sheetsOf(const MeshDesc& mesh)
     const std::vector<std::uint32_t> positions = welded(mesh.vertices);
     // Triangles without area, such as those at poles, are no part of a surface.
     std::vector<std::uint32_t> corners, firsts;
+    std::vector<double> areas;
     Groups groups(mesh.vertices.size());
     std::vector<Surface> surfaces(mesh.vertices.size());
     for (std::uint32_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
-        if (!(areaOf(mesh, &mesh.indices[first]) > 0.0)) continue;
+        const double area = areaOf(mesh, &mesh.indices[first]);
+        if (!(area > 0.0)) continue;
         firsts.push_back(first);
+        areas.push_back(area);
         for (std::uint32_t k = first; k < first + 3; ++k)
             corners.push_back(positions[mesh.indices[k]]);
         groups.join(corners.end()[-3], corners.end()[-2]);
         groups.join(corners.end()[-2], corners.end()[-1]);
     }
     for (std::size_t k = 0; k < firsts.size(); ++k)
-        surfaces[groups.find(corners[3 * k])].area += areaOf(mesh, &mesh.indices[firsts[k]]);
+        surfaces[groups.find(corners[3 * k])].area += areas[k];
     const std::vector<MeshEdge> edges = sortedEdges(corners);
     for (std::size_t k = 0; k < edges.size(); ++k) {
         if (k > 0 && edges[k - 1].ends == edges[k].ends) continue;

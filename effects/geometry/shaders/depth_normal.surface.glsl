@@ -11,10 +11,12 @@ bool viewPosition(highp vec2 at, out highp vec3 point)
     return pointIn(depth, at, point);
 }
 
-// View depth in a texel about that at uv.
+// The size of the surface's texture, and the view depth in one of them about that at uv.
+highp ivec2 surfaceSize() { return textureSize(depth, 0); }
+
 highp float viewZIn(highp ivec2 texel, highp vec2 at)
 {
-    highp float stored = texelFetch(depth, clamp(texel, ivec2(0), textureSize(depth, 0) - 1), 0).r;
+    highp float stored = texelFetch(depth, texel, 0).r;
     highp vec2 view = (view_from_window * vec4(at, stored, 1.0)).zw;
     return view.x / max(view.y, kSmallestW);
 }

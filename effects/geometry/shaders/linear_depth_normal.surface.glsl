@@ -21,10 +21,12 @@ bool viewPosition(highp vec2 at, out highp vec3 point)
     return stored > 0.0 && stored < LINEAR_FAR;
 }
 
-// View depth in a texel about that at uv.
+// The size of the surface's texture, and the view depth in one of them about that at uv.
+highp ivec2 surfaceSize() { return textureSize(linear_depth, 0); }
+
 highp float viewZIn(highp ivec2 texel, highp vec2 at)
 {
-    highp float stored = texelFetch(linear_depth, clamp(texel, ivec2(0), textureSize(linear_depth, 0) - 1), 0).r;
+    highp float stored = texelFetch(linear_depth, texel, 0).r;
     return stored > 0.0 ? -stored : -1e15;
 }
 

@@ -24,10 +24,12 @@ bool viewPositionAtTap(highp vec2 at, out highp vec3 point)
     return stored.a > 0.5;
 }
 
-// View depth in a texel about that at uv.
+// The size of the surface's texture, and the view depth in one of them about that at uv.
+highp ivec2 surfaceSize() { return textureSize(position, 0); }
+
 highp float viewZIn(highp ivec2 texel, highp vec2 at)
 {
-    highp vec4 stored = texelFetch(position, clamp(texel, ivec2(0), textureSize(position, 0) - 1), 0);
+    highp vec4 stored = texelFetch(position, texel, 0);
     return stored.a > 0.5 ? viewFromHost(stored.xyz).z : -1e15;
 }
 

@@ -19,7 +19,7 @@ highp vec3 normalAt(highp vec2 at)
 // One over the view depth, or the depth itself of a parallel view: what is straight across the screen on a plane.
 highp float straightAt(highp ivec2 texel, highp vec2 at)
 {
-    highp float z = clamp(viewZIn(texel, at), -1e15, -1e-15);
+    highp float z = clamp(viewZIn(clamp(texel, ivec2(0), surfaceSize() - 1), at), -1e15, -1e-15);
 #if CAMERA_ORTHOGRAPHIC
     return z;
 #else
@@ -63,7 +63,7 @@ highp vec3 wayAlong(highp vec2 at, highp vec3 point, highp ivec2 texel, highp iv
 highp vec3 planeAt(highp vec2 at, highp vec3 point, highp vec3 shading)
 {
     const highp vec2 kSame = vec2(0.002, 0.008);  // 1 - the cosine of 4 and 7 degrees
-    highp vec2 size = vec2(textureSize(normal, 0));
+    highp vec2 size = vec2(surfaceSize());
     highp float noise = depthTolerance(point, shading, 0.0);
     highp ivec2 texel = texelInGuardBand(at, size);
     highp vec2 texels = viewSizeIn(size) * 0.5 * vec2(clip_from_view[0][0], clip_from_view[1][1]);
