@@ -129,26 +129,8 @@ void checkVertices(State& state, const ParamDesc& radius)
         .severity = Severity::warning;
 }
 
-void checkKind(State& state, const Reference& at, bool depth)
-{
-    const TargetDesc* target = findNamed(state.description.targets, at.name);
-    if (!target) return;
-    for (const Format format : target->formats) {
-        const FormatInfo& info = formatInfo(format);
-        if ((info.format_class == FormatClass::depth) == depth) continue;
-        report(state, Code::attachment_kind,
-               "target '" + at.name + "' has format " + info.name + ", which cannot be a " +
-                   (depth ? "depth" : "colour") + " attachment",
-               at, depth ? "use depth16, depth24 or depth32f" : "use a colour format");
-        return;
-    }
-}
-
 void checkAttachments(State& state, const Pass& pass)
 {
-    for (const Reference& color : pass.desc->color) checkKind(state, color, false);
-    if (!pass.desc->depth.empty()) checkKind(state, pass.desc->depth, true);
-    if (!pass.desc->mask.empty()) checkKind(state, pass.desc->mask, true);
     const int limit = std::min(state.caps.max_color_attachments, kMaxColorAttachments);
     const int count = static_cast<int>(pass.color.size());
     if (count <= limit) return;

@@ -47,6 +47,8 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
         error.notes.push_back({each.place, "'" + each.name + "' was deleted here"});
         deletions.push_back(each.place);
     }
+    if (deletions.size() == 1)
+        error.help = "leave the null out, or name another target in `inputs` of the reader";
     if (isModule(at.place))
         blame(error, deletions.size() == 1 ? deletions.front() : ownPlace(at.place),
               "it is read here");

@@ -141,6 +141,7 @@ private:
 
     void checkPass(const PassDesc& pass)
     {
+        if (report_.errorAt(pass.pointer)) return;  // it is a patch of none
         const std::string who = "pass '" + pass.name + "' ";
         expect(pass.shader, who + "runs", shaders_);
         checkWrites(pass);
@@ -171,11 +172,33 @@ private:
         std::set<std::string> written;
         for (const Reference& target : targets) {
             expect(target, "pass '" + pass.name + "' writes", targets_);
+            const bool depth = target.pointer == pass.depth.pointer;
+            if (!isOfKind(target, depth, "pass '" + pass.name + (depth ? "' writes as depth" : "' writes as colour"))) continue;
             if (target.pointer.empty() || written.insert(target.name).second) continue;
             report_.at(target, Code::two_writers,
                        "pass '" + pass.name + "' writes target '" + target.name + "' twice",
                        "give each output of the shader a target of its own");
         }
+    }
+
+    // Whether the target is in a depth format where it must be, and only there.
+    bool isOfKind(const Reference& at, bool depth, const std::string& who)
+    {
+        const TargetDesc* target = findNamed(description_.targets, at.name);
+        if (!target || at.pointer.empty()) return true;
+        for (const Format format : target->formats) {
+            const FormatInfo& info = formatInfo(format);
+            if ((info.format_class == FormatClass::depth) == depth) continue;
+            Reported& error = report_.at(
+                at, Code::attachment_kind,
+                who + " '" + at.name + "', and its format " + info.name + " is none of " +
+                    (depth ? "depth" : "colour"),
+                depth ? "name one in a depth format: depth16, depth24 or depth32f"
+                      : "name it under `depth`, or give it a colour format");
+            if (isModule(at.place)) error.cause = target->formats_place;
+            return false;
+        }
+        return true;
     }
 
     // Clear, bypass and no_op speak of what the pass itself writes.
@@ -198,6 +221,7 @@ private:
     {
         const std::string who = "pass '" + pass.name + "' ";
         expect(pass.mask, who + "has as mask", targets_);
+        isOfKind(pass.mask, true, who + "has as mask");
         expect(pass.cull_below_pixel, who + "culls by", params_);
         const ParamDesc* length = findNamed(description_.params, pass.cull_below_pixel.name);
         if (length && length->type != ParamType::float_ && !report_.errorWithin(length->pointer))
@@ -368,8 +392,9 @@ std::string modulesThatDeclare(const SourceSet& sources, std::string_view sectio
         const Result<Node> document = parseDocument(source);
         const Node* entries = document ? document->find(section) : nullptr;
         const Node* declared = entries ? entries->find(name) : nullptr;
-        if (declared && (declared->kind == Node::Kind::string || declared->find("format") ||
-                         declared->find("default")))
+        const auto has = [&](const char* key) { return declared->find(key) != nullptr; };
+        if (declared && (declared->kind == Node::Kind::string || has("format") || has("default") ||
+                         has("shader")))
             modules += (modules.empty() ? "" : ", ") + path.substr(0, path.size() - kSuffix.size());
     }
     return modules;

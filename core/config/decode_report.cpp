@@ -54,7 +54,7 @@ Cursor Cursor::item(std::size_t index) const
 
 bool Report::leavesOut(const Place& key) const
 {
-    return !document_.origins.empty() && !(key.source && key.source->path == kOverridePath);
+    return document_.origins.size() > 1 && !(key.source && key.source->path == kOverridePath);
 }
 
 std::string Report::otherSection(const std::string& section, const std::string& name) const

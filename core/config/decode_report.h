@@ -39,9 +39,10 @@ public:
     Report(const Node& document, const SourceSet& set) : sources(set), document_(document) {}
 
     const SourceSet& sources;  ///< Looked through for what would declare a name.
+    const Node& document() const { return document_; }
 
     /// Whether an entry that nothing declares is left out with a warning: what the config gives a
-    /// value may have gone with a module that was swapped, or with a variant or override.
+    /// value may have gone with a module that an override swapped, which a second origin tells of.
     bool leavesOut(const Place& key) const;
 
     /// Where what stands under `section` is declared instead: "write it under params". Empty where

@@ -18,6 +18,9 @@ namespace {
 // The largest whole number up to which a float holds every one: what an int param can be.
 constexpr double kMaxWholeParam = 16777216.0;
 
+constexpr std::pair<std::string_view, const char*> kWordsOfGl[] = {
+    {"lequal", "less_equal"}, {"gequal", "greater_equal"}, {"clamp_to_edge", "clamp"}};
+
 bool isScalar(const Node& node)
 {
     return node.kind == Node::Kind::boolean || node.kind == Node::Kind::number ||
@@ -139,10 +142,13 @@ bool readWord(Report& report, const Cursor& cursor, const std::vector<std::strin
     const auto word = std::find(words.begin(), words.end(), cursor.node.text);
     index = static_cast<std::size_t>(word - words.begin());
     if (word != words.end()) return true;
+    std::string meant = lowerCase(cursor.node.text);
+    for (const auto& [theirs, ours] : kWordsOfGl)
+        if (meant == theirs || meant == "gl_" + std::string(theirs)) meant = ours;
     report.atValue(cursor, Code::bad_enum,
                    cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
                        std::to_string(words.size()) + " allowed words",
-                   suggestName(cursor.node.text, words, "allowed"));
+                   suggestName(meant, words, "allowed"));
     return false;
 }
 
@@ -329,26 +335,63 @@ void checkName(Report& report, const Cursor& cursor)
     error.mistake = "nested " + cursor.pointer;
 }
 
+bool isRetyped(Report& report, const Cursor& param)
+{
+    const Node* type = param.node.find("type");
+    if (!type || type->place.source == param.node.place.source) return false;
+    const Place first = type->origins.empty() ? Place() : type->origins.front();
+    const std::string_view line = first.source ? lineOf(first.source->text, first.line) : "";
+    const std::string was(first.source ? line.substr(std::size_t(first.column) - 1,
+                                                     std::size_t(first.length))
+                                       : "\"float\"");
+    if (brief(*type) == was) return false;
+    Cursor at{*type, param.pointer + "/type"};
+    Reported& error =
+        report.atValue(at, Code::wrong_type,
+                       "param '" + param.key + "' is declared as " + was + ", and here as " + brief(*type),
+                       "leave out 'type', or declare a param of another name");
+    error.notes.assign(1, {param.node.place, "it is declared here"});
+    return true;
+}
+
+// Says of an entry that no file declares what it may be, before how one is declared. Whether
+// something is like it.
+bool suggestDeclared(const Report& report, const std::string& section, const std::string& name,
+                     Reported& error)
+{
+    const Node& entries = *locate(report.document(), memberPointer("", section)).node;
+    std::vector<std::string> declared;
+    for (const Member& member : entries.members)
+        if (member.value.kind == Node::Kind::object && member.key != name)
+            declared.push_back(member.key);
+    const std::string help =
+        declaredBy(report.sources, section, name) + suggestName(name, declared, section);
+    error.help = help + "; to declare one of your own, " + error.help;
+    if (!report.document().find("passes"))
+        error.help = "begin with a config that has it: \"extends\": [\"balanced\"]";
+    for (const Member& gone : entries.deleted)
+        if (gone.key == name)
+            error.notes.push_back({gone.key_place, "what declared it was left out here"});
+    return !error.notes.empty() || startsWith(help, "did you") || startsWith(help, "declared by");
+}
+
+std::string undeclared(const std::string& section, const std::string& name)
+{
+    const std::size_t end = endsWith(section, "ses") ? 2 : section.back() == 's';
+    return section.substr(0, section.size() - end) + " '" + name +
+           "' is set here, and no file declares it";
+}
+
 void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry)
 {
     if (report.full()) return report.count();
-    const bool plural = section.key.back() == 's';
-    const std::string what = plural ? section.key.substr(0, section.key.size() - 1) : section.key;
     Reported& error =
-        report.atKey(entry, Code::unknown_param,
-                     what + " '" + entry.key + "' is set here, and no file declares it");
+        report.atKey(entry, Code::unknown_param, undeclared(section.key, entry.key));
     error.help = report.otherSection(section.key, entry.key);
     if (!error.help.empty()) return;
     if (report.leavesOut(entry.key_place)) return Report::leaveOut(error);
-    std::vector<std::string> declared;
-    for (const Member& member : section.node.members)
-        if (member.value.kind == Node::Kind::object) declared.push_back(member.key);
-    error.help = declaredBy(report.sources, section.key, entry.key) +
-                 suggestName(entry.key, declared, section.key) +
-                 "; to declare one of your own, write {\"default\": " + brief(entry.node) + "}";
-    for (const Member& gone : section.node.deleted)
-        if (gone.key == entry.key)
-            error.notes.push_back({gone.key_place, "what declared it was left out here"});
+    error.help = "write {\"default\": " + brief(entry.node) + "}";
+    suggestDeclared(report, section.key, entry.key, error);
 }
 
 void Reader::refuse(const char* key, Code code, const char* reason)
@@ -376,7 +419,8 @@ bool Reader::finish()
     if (!has_keys_) return true;
     if (!expectObject(report_, cursor_, keys_)) return false;
     if (!reportUnknown())  // else the key that is missing was surely meant
-        for (const auto& [key, doc] : missing_) reportMissing(key, doc);
+        for (const auto& [key, doc] : missing_)
+            if (!report_.errorAt(cursor_.pointer)) reportMissing(key, doc);
     return missing_.empty();
 }
 
@@ -421,7 +465,12 @@ void Reader::reportMissing(const std::string& key, const std::string& doc)
                           "give it a value instead of null, or leave it as it was");
             return;
         }
-    report_.atKey(cursor_, Code::missing_key, message, "add \"" + key + "\": " + doc);
+    Reported& error =
+        report_.atKey(cursor_, Code::missing_key, message, "add \"" + key + "\": " + doc);
+    const std::vector<std::string> path = pointerKeys(cursor_.pointer);
+    if (path.size() != 2 || !suggestDeclared(report_, path[0], path[1], error)) return;
+    error.code = Code::unknown_param;  // it was meant to change one that is there
+    error.message = undeclared(path[0], path[1]);
 }
 
 const Member* Reader::find(std::string_view key) const

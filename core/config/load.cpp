@@ -516,9 +516,9 @@ Result<Node> mergeFiles(FileLoader& loader, const LoadRequest& request, const Re
     const auto changes_structure = [](const std::string& text) {
         return startsWith(text, "/") || swaps(text);
     };
-    if (!request.variant.empty() ||
-        std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure))
-        document.origins.push_back(document.place);
+    const bool changed =
+        std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure);
+    document.origins.assign(changed ? 2 : request.variant.empty() ? 0 : 1, document.place);
     if (!request.variant.empty()) applyVariant(document, loader.files, request, errors);
     for (const std::string& text : request.overrides) {
         if (swaps(text) || adds(text)) continue;

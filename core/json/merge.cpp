@@ -33,6 +33,9 @@ Diagnostic missingKey(const Node& base, std::size_t there, const Member& patch, 
     std::vector<std::string> keys;
     for (std::size_t i = 0; i < there; ++i) keys.push_back(base.members[i].key);
     diagnostic.help = suggestName(patch.key, std::move(keys), "keys");
+    for (const Member& section : base.members)
+        if (diagnostic.pointer == "/" + patch.key && section.value.find(patch.key))
+            diagnostic.help = "write it below \"" + section.key + "\", where it stands";
     return diagnostic;
 }
 
@@ -98,9 +101,12 @@ std::string wayToObject(std::string_view pointer, const Node& value,
 {
     if (endsWith(pointer, "/size") && value.kind == Node::Kind::number)
         return "write {\"scale\": " + brief(value) + "}";
-    if (!keys.empty()) return "write an object with some of the keys " + joined(keys);
-    const Node& name = value.items.empty() ? value : value.items[0];
-    return "write {" + (name.kind == Node::Kind::string ? brief(name) : "\"name\"") + ": ..., ...}";
+    const Node* name = value.items.empty() ? &value : &value.items[0];
+    if (!keys.empty() && name == &value)
+        return "write an object with some of the keys " + joined(keys);
+    if (const Node* named = name->find("name")) name = named;
+    return "write {" + (name->kind == Node::Kind::string ? brief(*name) : "\"name\"") +
+           ": ..., ...}: what it holds has its name as key";
 }
 
 Diagnostic tooManyMembers(const Place& place, std::string pointer)
