@@ -58,7 +58,8 @@ void chooseOutputs(State& state)
     const auto& wanted = state.options.outputs;
     if (outputs.empty())
         report(state, Code::no_outputs, "the config exports no output, so nothing would run",
-               state.description, "add: \"outputs\": {\"ao\": \"name of a target\"}, or \"extends\": [\"balanced\"]");
+               state.description,
+               "add: \"outputs\": {\"ao\": \"name of a target\"}, or \"extends\": [\"balanced\"]");
     for (std::size_t i = 0; i < outputs.size(); ++i)
         if (wanted.empty() || contains(wanted, outputs[i].name))
             state.outputs.push_back(static_cast<int>(i));

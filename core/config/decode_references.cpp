@@ -173,7 +173,10 @@ private:
         for (const Reference& target : targets) {
             expect(target, "pass '" + pass.name + "' writes", targets_);
             const bool depth = target.pointer == pass.depth.pointer;
-            if (!isOfKind(target, depth, "pass '" + pass.name + (depth ? "' writes as depth" : "' writes as colour"))) continue;
+            if (!isOfKind(
+                    target, depth,
+                    "pass '" + pass.name + (depth ? "' writes as depth" : "' writes as colour")))
+                continue;
             if (target.pointer.empty() || written.insert(target.name).second) continue;
             report_.at(target, Code::two_writers,
                        "pass '" + pass.name + "' writes target '" + target.name + "' twice",
@@ -189,12 +192,12 @@ private:
         for (const Format format : target->formats) {
             const FormatInfo& info = formatInfo(format);
             if ((info.format_class == FormatClass::depth) == depth) continue;
-            Reported& error = report_.at(
-                at, Code::attachment_kind,
-                who + " '" + at.name + "', and its format " + info.name + " is none of " +
-                    (depth ? "depth" : "colour"),
-                depth ? "name one in a depth format: depth16, depth24 or depth32f"
-                      : "name it under `depth`, or give it a colour format");
+            Reported& error =
+                report_.at(at, Code::attachment_kind,
+                           who + " '" + at.name + "', and its format " + info.name +
+                               " is none of " + (depth ? "depth" : "colour"),
+                           depth ? "name one in a depth format: depth16, depth24 or depth32f"
+                                 : "name it under `depth`, or give it a colour format");
             if (isModule(at.place)) error.cause = target->formats_place;
             return false;
         }

@@ -341,15 +341,15 @@ bool isRetyped(Report& report, const Cursor& param)
     if (!type || type->place.source == param.node.place.source) return false;
     const Place first = type->origins.empty() ? Place() : type->origins.front();
     const std::string_view line = first.source ? lineOf(first.source->text, first.line) : "";
-    const std::string was(first.source ? line.substr(std::size_t(first.column) - 1,
-                                                     std::size_t(first.length))
-                                       : "\"float\"");
+    const std::string was(
+        first.source ? line.substr(std::size_t(first.column) - 1, std::size_t(first.length))
+                     : "\"float\"");
     if (brief(*type) == was) return false;
     Cursor at{*type, param.pointer + "/type"};
-    Reported& error =
-        report.atValue(at, Code::wrong_type,
-                       "param '" + param.key + "' is declared as " + was + ", and here as " + brief(*type),
-                       "leave out 'type', or declare a param of another name");
+    Reported& error = report.atValue(
+        at, Code::wrong_type,
+        "param '" + param.key + "' is declared as " + was + ", and here as " + brief(*type),
+        "leave out 'type', or declare a param of another name");
     error.notes.assign(1, {param.node.place, "it is declared here"});
     return true;
 }
@@ -385,8 +385,7 @@ std::string undeclared(const std::string& section, const std::string& name)
 void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry)
 {
     if (report.full()) return report.count();
-    Reported& error =
-        report.atKey(entry, Code::unknown_param, undeclared(section.key, entry.key));
+    Reported& error = report.atKey(entry, Code::unknown_param, undeclared(section.key, entry.key));
     error.help = report.otherSection(section.key, entry.key);
     if (!error.help.empty()) return;
     if (report.leavesOut(entry.key_place)) return Report::leaveOut(error);

@@ -267,7 +267,12 @@ SpreadStage spread(const GlslStage& stage)
         }
         for (std::size_t i = 0; i < tokens.size(); ++i) {
             const bool apart = i == 0 || isApart(tokens[i - 1], tokens[i]);
-            if (apart) place(tokens[i]);
+            if (apart)
+                place(tokens[i]);
+            else  // of the same text
+                spread.tokens.back().text = {
+                    spread.tokens.back().text.data(),
+                    spread.tokens.back().text.size() + tokens[i].text.size()};
             if (apart && !spread.text.empty() && spread.text.back() != '\n') spread.text += '\n';
             spread.text += tokens[i].text;
         }

@@ -7,6 +7,7 @@
 #include "core/glsl/preprocessor.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace crevice {
 
@@ -27,6 +28,16 @@ constexpr std::string_view kBuiltIn =
 
 /// Names of other GLSL, of HLSL and of desktops, and what is not supported; and what to write.
 constexpr std::string_view kElsewhere = R"(
+then|{ } around what depends on it: if (x > 0.0) { ... }
+auto,var,let|a type: float, vec2, vec3 ...
+and|&&
+or|||
+null,NULL,None,True,False|a number, true or false
+new,static_cast|float(...) or vec3(...) alone
+using,namespace,template,class,typedef,import,goto|plain functions and structs
+cout,printf,print|it into a target, which crevice render draws
+PI,M_PI|3.14159265
+Math,std|the function alone: max(a, b)
 texture2D,tex2D|texture(...)
 gl_FragColor,gl_FragData|an output of your own: layout(location = 0) out vec4 color;
 varying|out in the vertex shader and in in the fragment shader
@@ -39,18 +50,18 @@ fma|a * b + c
 atan2|atan(y, x)
 float2,float3,float4|vec2, vec3 or vec4
 half|mediump float
-double|float
-elif|else if
+double,real,f32|float
+elif,elseif,elsif|else if
 textureGather|four texelFetch(...)
 dFdxFine,dFdyFine,ddx,ddy|dFdx(...) or dFdy(...)
-precise,noperspective|the declaration without it
+precise,noperspective,static,inline,extern,export,constexpr|the declaration without it
 binding,early_fragment_tests|no such layout: the config binds samplers by name
 std430,buffer|a sampler, or a uniform array: uniform vec3 kernel[16];
 gl_ClipDistance|discard where the distance is below 0
 gl_SampleID|a shader for whole pixels
 scalar swizzle|x for x.x: a number has no components
 variable indexing sampler array|a constant index
-{ } style initializers|float[](1.0, 2.0)
+{ } style initializers|a call of the type: float[](1.0, 2.0)
 arrays of arrays|one array of both sizes: w[i * 2 + j]
 .length|the number of components
 local function declaration|it outside of all functions
@@ -78,6 +89,7 @@ return type|this is not of the type that the function returns|return that type, 
 sampler/image types|a sampler has to be a uniform or a parameter|read the uniform itself
 non-constant initializer|a const has to have a constant value|leave out 'const'
 array size must|the size of an array has to be constant|write a number or a #define
+index out of range|there is no element $|indices go from 0 to the length - 1
 array size required|the array has no size|write how many it holds: float w[3];
 Types must match|'$' has another type in the other shader|declare it alike in both
 qualifiers must match|'$' is qualified otherwise in the other shader|declare it alike, as 'highp'
@@ -92,7 +104,14 @@ function does not return a value|function '$' can end without a return|end each 
 swizzle selection|the vector is too short for '.$'|take components that it has: .x or .xy
 not enough data|there are too few values for this vector or matrix|give one, or one for each
 one argument per|this array has another number of values|give one for each of its elements
-entry point|the shader has no function main|add: void main() { ... }
+entry point|the shader has no function main that returns void|add: void main() { ... }
+swizzle too long|a vector has no '$'|take its components: .x or .xy
+does not apply to this type|this has no '$'|take components of vectors and members of structs alone
+use function syntax|'$' is a variable here, which hides the function|rename the variable
+last qualifier|the precision stands right before the type|write as in: uniform mediump float x;
+nested scope|'$' stands outside of functions alone|move the declaration above the function
+initializers must be constant|a const outside of functions has a constant value|set it in main()
+call expected|this is called, and it is no function|write * to multiply
 take any parameter|main takes no parameters|write: void main()
 Recursion detected|'$' calls itself, which GLSL has not|write it as a loop
 initialize this type|nothing but a variable or a const begins with a value|set a param's "default"
@@ -117,13 +136,38 @@ constexpr std::pair<std::string_view, const char*> kArguments[] = {
     {"texelFetch", "the coordinate must be ivec2(...), and a level follows: texelFetch(s, p, 0)"},
     {"texture", "the coordinate must be vec2(...): texture(s, uv)"}};
 
+/// What is written as in other languages: signs and words, and `type`, `name` and `value` for any
+/// such, of which $ is the first. The error is at the token behind '@', or else in that statement.
+constexpr std::string_view kPatterns = R"(
+( type ) value|a value is converted by a call of the type|write $(...)
+. Sample (|GLSL has no methods|write texture(s, uv)
+. sample (|GLSL has no methods|write texture(s, uv)
+. name (|GLSL has no methods|write $(...) with the value inside
+name ::|GLSL has no '$::'|write what stands behind it alone
+**|GLSL has no '**'|write pow(a, b)
+type @&|GLSL has no references|leave '&' out; write inout for a parameter that is changed
+type @*|GLSL has no pointers|take an index, or an inout parameter
+name @{|a variable does not begin with '{'|write: $ = ...;
+type name @=|a parameter has no value of its own|take it out, and write a second function without it
+type name @:|GLSL has no loop over elements|write for (int i = 0; i < 4; ++i)
+= @[|a list is written as a call of its type|write float[](1.0, 2.0)
+) ; @{|a ';' stands between a function and its body|take the ';' out
+; @else|this 'else' follows no 'if'|put what the 'if' does in { }, with no ';' before it
+} @else|this 'else' follows no 'if'|take out the ';' behind the condition
+)";
+
 /// What a syntax error may say is wanted, what is most likely meant first.
 constexpr std::pair<const char*, const char*> kSigns[] = {
-    {"RIGHT_PAREN", ")"}, {"RIGHT_BRACKET", "]"}, {"LEFT_PAREN", "("}};
+    {"RIGHT_PAREN", ")"}, {"RIGHT_BRACKET", "]"}, {"LEFT_PAREN", "("}, {"SEMICOLON", ";"}};
 
 bool has(std::string_view text, std::string_view part)
 {
     return text.find(part) != std::string_view::npos;
+}
+
+bool isValue(const GlslToken& token)
+{
+    return token.kind == GlslToken::Kind::identifier || token.kind == GlslToken::Kind::number;
 }
 
 bool isName(const GlslToken& token) { return token.kind == GlslToken::Kind::identifier; }
@@ -156,7 +200,13 @@ bool isForeign(const GlslToken& token)
            !has("(){}[];,.:?=+-*/%<>!&|^~#\\", token.text.substr(0, 1));
 }
 
-bool isWhole(std::string_view type) { return type == "int" || type == "uint"; }
+bool isWhole(std::string_view type) { return type[0] == 'i' || type[0] == 'u'; }
+
+/// "vec2" for "ivec2", "float" for "int".
+std::string floatOf(const std::string& whole)
+{
+    return has(whole, "vec") ? whole.substr(1) : "float";
+}
 
 /// The texts in quotes that follow `lead`.
 std::vector<std::string> typesAfter(std::string_view message, std::string_view lead)
@@ -190,9 +240,11 @@ private:
 
     bool isHere(const GlslToken& token) const;
     void pointAt(const GlslToken& token) { error_.place = placeOf(token, stage_.files); }
+    bool fits(std::string_view kind, std::size_t i) const;
+    bool pattern();
+    void sayRow(const std::vector<std::string_view>& row, std::string_view name);
     void syntax(const std::string& message);
     void openBrace();
-    void index(const std::string& number);
     void tell(const std::string& message, const std::string& name);
     void unknown(const std::string& name, bool function);
     void types(const std::string& message);
@@ -215,6 +267,46 @@ bool Speaker::isHere(const GlslToken& token) const
            token.line == error_.place.line && token.column == error_.place.column;
 }
 
+/// Says what a row has behind its first part, with the name for $.
+void Speaker::sayRow(const std::vector<std::string_view>& row, std::string_view name)
+{
+    say(std::string(row[1]), std::string(row[2]));
+    for (std::string* text : {&error_.message, &error_.help})
+        if (const std::size_t at = text->find('$'); at != text->npos) text->replace(at, 1, name);
+}
+
+/// Whether the token is what a pattern's word stands for.
+bool Speaker::fits(std::string_view word, std::size_t i) const
+{
+    const GlslToken& token = tokens_[i];
+    if (word == "type") return findWord(kBuiltIn, token.text) < kBuiltIn.find("uniform");
+    if (word == "name") return isName(token) && !token.is("length");
+    if (word == "value") return isValue(token) || token.is("(");
+    const bool here = word[0] == '@';
+    return token.is(word.substr(here ? 1 : 0)) && (!here || i == at_);
+}
+
+/// Whether the statement has one of kPatterns, at which the error then points.
+bool Speaker::pattern()
+{
+    constexpr std::size_t kBefore = 2;  // the end of the statement before
+    const std::size_t first = statement();
+    for (const std::string_view line : split(kPatterns, '\n')) {
+        const std::vector<std::string_view> row = split(line, '|'), words = split(row[0], ' ');
+        for (std::size_t i = first - std::min(first, kBefore);
+             row.size() == 3 && i <= at_ && i + words.size() <= tokens_.size(); ++i) {
+            std::size_t fitting = 0, named = i;
+            for (std::size_t k = words.size(); k-- > 0 && fits(words[k], i + k); ++fitting)
+                if (isLower(words[k][0]) && isName(tokens_[i + k])) named = i + k;
+            if (fitting < words.size()) continue;
+            if (row[0].find('@') == row[0].npos) pointAt(tokens_[i]);
+            sayRow(row, tokens_[named].text);
+            return true;
+        }
+    }
+    return false;
+}
+
 /// A missing semicolon belongs to where it is missing, which is behind what the compiler read last.
 void Speaker::syntax(const std::string& message)
 {
@@ -230,34 +322,43 @@ void Speaker::syntax(const std::string& message)
         depth += tokens_[i].is("{") - tokens_[i].is("}");
         parens += tokens_[i].is("(") - tokens_[i].is(")");
     }
-    const bool word = isName(found) || found.kind == GlslToken::Kind::number;
-    const bool value = isName(last) || last.kind == GlslToken::Kind::number || isOneOf(last, ")]");
+    const bool word = isValue(found), value = isValue(last) || isOneOf(last, ")]");
+    const bool on = last.line == found.line;
     const std::string text(found.text), before(last.text);
     const std::string wanted = message.substr(std::min(message.find("expecting"), message.size()));
-    if (found.is("{") && depth > 0 && isName(last) && !last.is("else"))
-        return say("a variable does not begin with '{'", "write: " + before + " = ...;");
-    if (depth <= 0 && found.is("}"))
-        return say("this '}' closes nothing", "take it out, or add the '{' that it is to close");
+    for (const auto& [sign, open, count] :
+         {std::tuple("}", "{", depth), std::tuple(")", "(", parens)})
+        if (found.is(sign) && count <= 0)
+            return say("this '" + text + "' closes nothing",
+                       "take it out, or add the '" + std::string(open) + "' that it is to close");
     if (depth > 0 && found.is("{") && last.is(")")) return openBrace();
     if (depth == 0 && isName(found) && next && next->is("(") && !value)
         return say("function '" + text + "' has no return type", "write: float " + text + "(...)");
-    for (const auto& [name, sign] : kSigns)
-        if (has(wanted, name) || has(wanted, "'" + std::string(sign) + "'"))
-            return say("a '" + std::string(sign) + "' is missing before '" + text + "'",
-                       "add '" + std::string(sign) + "'");
-    const bool ends = has(wanted, "SEMICOLON") || has(wanted, "';'");
-    if (value && word && (parens > 0 || last.line == found.line))
+    if (has(" if for while switch ", " " + before + " "))
+        return say("a '(' is missing before '" + text + "'", "add '('");
+    if (value && word && on)
         return say("an operator or sign is missing between '" + before + "' and '" + text + "'",
-                   "add what is meant: + - * / , ; ...");
-    if ((value || ends) && (word || found.is("}"))) {
+                   "add what is meant: " + std::string(parens > 0 ? "," : ";") + " + - * / ...");
+    std::string expected;
+    for (const auto& [name, sign] : kSigns)
+        if (expected.empty() && (has(wanted, name) || has(wanted, "'" + std::string(sign) + "'")))
+            expected = sign;
+    if (!expected.empty() && expected != ";" && (isOneOf(found, ";{}") || !on))
+        return say("a '" + expected + "' is missing before '" + text + "'",
+                   "add '" + expected + "'");
+    if ((value || expected == ";") && (word || found.is("}"))) {
         say("a ';' is missing behind '" + before + "'", "add ';'");
         pointAt(last);
         error_.place.column += error_.place.length;
         error_.place.length = 1;
         return;
     }
-    say("'" + text + "' cannot stand here",
-        ends ? "write ';' there" : "look at what stands before it");
+    for (std::size_t i = statement(), asked = 0; i < at_; ++i)
+        if ((asked += tokens_[i].is("?") - tokens_[i].is(":")) > 0 && i + 1 == at_)
+            return say("a '?' has no ':'", "write: x > 0.0 ? 1.0 : 0.0");
+    say("'" + text + "' cannot stand behind '" + before + "'",
+        expected.empty() ? "no statement of GLSL has the two in a row"
+                         : "glslang expects '" + expected + "' there");
 }
 
 /// The brace that does not close is the one whose line begins at another column than that of the
@@ -305,20 +406,6 @@ std::string Speaker::nameHere(bool function) const
     return i < tokens_.size() && isName(tokens_[i]) ? std::string(tokens_[i].text) : "this";
 }
 
-/// "[" points behind the name of an array, a vector or a matrix.
-void Speaker::index(const std::string& number)
-{
-    const std::string_view name = at_ > 0 && at_ < tokens_.size() ? tokens_[at_ - 1].text : "";
-    std::string size = "its length";
-    for (std::size_t i = 1; i + 2 < at_ && at_ < tokens_.size(); ++i)
-        if (tokens_[i].is(name) && isDeclared(i))
-            size = tokens_[i + 1].is("[") ? std::string(tokens_[i + 2].text)
-                                          : std::string(1, tokens_[i - 1].text.back());
-    say("'" + std::string(name) + "' has no element " + number,
-        "indices go from 0 to " +
-            (isDigit(size[0]) ? std::to_string(std::atoi(size.c_str()) - 1) : size + " - 1"));
-}
-
 /// What is declared up to the error: for all, or in the function that it is in.
 std::vector<std::string> Speaker::names() const
 {
@@ -353,18 +440,25 @@ std::string Speaker::signatures(std::string_view name) const
 
 void Speaker::unknown(const std::string& name, bool function)
 {
-    const std::string declared = function ? signatures(name) : "";
+    const std::string declared = signatures(name);
     const std::vector<std::string_view> built_in = split(kBuiltIn, ' ');
     const bool known = std::find(built_in.begin(), built_in.end(), name) != built_in.end();
     const std::vector<std::string> usable = names();
-    if (!declared.empty() && !contains(usable, name))
+    if (function && !declared.empty() && !contains(usable, name))
         return say("'" + name + "' is called above its declaration",
                    "move it up, or declare it above: " + declared + ";");
     std::string help = declared.empty() ? conversion("int", "float") : "declared: " + declared;
     for (const auto& [of, wanted] : kArguments)
         if (of == name) help = wanted;
+    const std::string argument(at_ + 2 < tokens_.size() ? tokens_[at_ + 2].text : "");
+    if (function && known && findNamed(stage_.outputs, argument))
+        help = "'" + argument +
+               "' is an output, which no pass reads: read a target as a uniform sampler2D";
     if (function && (known || !declared.empty()))
         return say("no '" + name + "' takes these arguments", help);
+    if (known || !declared.empty())
+        return say("'" + name + "' is a function, and is not called",
+                   "write " + (known ? name + "(...)" : "its arguments behind it: " + declared));
     help = suggestName(name, usable, "");
     help.resize(has(help, "did you mean") ? help.find('?') + 1 : 0);
     if (help.empty()) help = "declare it, or include the file that does";
@@ -384,7 +478,8 @@ std::string Speaker::conversion(const std::string& given, const std::string& wan
         return "write " + text + (wanted == "uint" ? "u" : ".0") + " for " + text +
                ": GLSL ES converts nothing by itself";
     }
-    if (has(given, "vec") && (wanted < given || !has(wanted, "vec")))
+    if (given == "void") return "let the function return " + wanted;
+    if (has(given, "vec") && !isWhole(given) && (wanted < given || !has(wanted, "vec")))
         return "take as many of its components as are wanted: .x, .xy or .xyz";
     return "GLSL ES converts nothing by itself: write " + wanted + "(...)";
 }
@@ -399,11 +494,15 @@ void Speaker::types(const std::string& message)
     if (operands.size() == 2)
         say("'" + sign + "' does not take " + operands[0] + " and " + operands[1],
             sign == "<<" || sign == ">>" ? "shift a whole number by a whole number"
+            : sign == "^"                ? "write pow(a, b)"
+            : sign == "&&" || sign == "||" || sign == "^^" ? "compare what is no bool: x > 0.0"
+            : !compare.empty() && operands[0] == "bool"    ? "write a < b && b < c"
             : !compare.empty() && has(operands[0], "vec")
                 ? "compare by component: any(" + compare + "(a, b))"
             : operands[0] == operands[1] ? "it is for other types; % of floats is mod(a, b)"
-            : isWhole(operands[0])       ? conversion(operands[0], operands[1])
-            : isWhole(operands[1])       ? conversion(operands[1], operands[0])
+            : isWhole(operands[0]) && isWhole(operands[1]) ? conversion(operands[0], operands[1])
+            : isWhole(operands[0]) ? conversion(operands[0], floatOf(operands[0]))
+            : isWhole(operands[1]) ? conversion(operands[1], floatOf(operands[1]))
                                    : "bring both to one size: float(...), vec4(v, 1.0), .xyz");
     else if (!from.empty() && !to.empty())
         say("this is " + from[0] + ", wanted " + to[0], conversion(from[0], to[0]));
@@ -418,8 +517,8 @@ void Speaker::run()
             characterName(line, std::size_t(error_.place.column) - 1) + " is no character of GLSL",
             "take it out, or write what it stands for");
     }
+    if (at_ < tokens_.size() && pattern()) return;
     std::string name(quotedName(message));
-    if (has(message, "index out of range")) return index(name);
     if (has(message, "can't modify") && at_ < tokens_.size() && tokens_[statement()].is("if"))
         return say("'=' writes, where a condition is wanted", "write == to compare");
     if (name == "assign" || name == "constructor" || name.empty())
@@ -430,6 +529,8 @@ void Speaker::run()
         feature = message.substr(1, message.find_first_of("('", 1) - 1);
     feature.erase(feature.find_last_not_of(' ') + 1);
     if (name.empty()) name = has(message, "edefinition") ? nameHere(true) : feature;
+    if (has(message, "syntax error") && at_ < tokens_.size() && isName(tokens_[at_]))
+        name = tokens_[at_].text;
     for (const std::string_view row : split(kElsewhere, '\n')) {
         const std::string names = "," + std::string(row.substr(0, row.find('|'))) + ",";
         if (!name.empty() && has(names, "," + name + ","))
@@ -448,18 +549,14 @@ void Speaker::run()
 /// By kMessages; and where the first of two declarations is.
 void Speaker::tell(const std::string& message, const std::string& name)
 {
-    const bool twice = has(message, "' : redefinition") || has(message, "already has a body");
+    const bool twice = has(message, "' : redefinition") || has(message, "already has a body") ||
+                       has(message, "function syntax");
     for (std::size_t i = twice ? std::min(at_, tokens_.size()) : 0; i-- > 1;)
         if (tokens_[i].is(name) && isDeclared(i) && error_.notes.empty())
             error_.notes.push_back({placeOf(tokens_[i], stage_.files), "it is declared here too"});
     for (const std::string_view row : split(kMessages, '\n')) {
         const std::vector<std::string_view> parts = split(row, '|');
-        if (parts.size() != 3 || !has(message, parts[0])) continue;
-        say(std::string(parts[1]), std::string(parts[2]));
-        for (std::string* text : {&error_.message, &error_.help})
-            if (const std::size_t at = text->find('$'); at != text->npos)
-                text->replace(at, 1, name);
-        return;
+        if (parts.size() == 3 && has(message, parts[0])) return sayRow(parts, name);
     }
 }
 

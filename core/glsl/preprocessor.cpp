@@ -178,6 +178,8 @@ private:
     {
         Branch& branch = branches_.back();
         const bool last = line.directive() == "else";
+        if (last && line.tokens.size() > 2)
+            fail("#else takes no condition", line.tokens[2], "write #elif with the condition");
         if (branch.in_else)
             fail("#" + std::string(line.directive()) + " after #else", line.tokens[1],
                  "move it above the #else, or take it out");
@@ -238,6 +240,13 @@ private:
         const bool arguments = tokens.size() > 3 && tokens[3].is("(") &&
                                tokens[3].line == name.line &&
                                tokens[3].column == name.column + int(name.text.size());
+        const bool assigns = tokens.size() > 4 && tokens[3].is("=");
+        if (assigns || (tokens.size() == 5 && tokens[4].is(";")))
+            fail("#define takes all that follows the name, '" +
+                     std::string(tokens[assigns ? 3 : 4].text) + "' too",
+                 name,
+                 "write #define " + std::string(name.text) + " " +
+                     std::string(tokens[assigns ? 4 : 3].text));
         unit_.macros.define(name.text, {tokens.begin() + 3, tokens.end()}, arguments);
     }
 
@@ -254,6 +263,9 @@ private:
             unit_.text.append(std::size_t(line.count), '\n');
             return;
         }
+        if (!endsWith(path, ".glsl") && files_.at(path)->text.find("#version") != path.npos)
+            fail(Code::preprocessor, "found an #include of a shader, which has a main of its own",
+                 include.place, "move what both need into a .glsl file, and include that in both");
         if (open_.size() == kMaxIncludeDepth) {
             stopped_ = true;
             return fail(Code::include_cycle,

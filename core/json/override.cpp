@@ -54,6 +54,14 @@ Result<Override> readOverride(const std::string& text, const std::vector<std::st
         return Diagnostic{Code::override_syntax, "found '" + text + "' where name=value was wanted",
                           "write radius=0.8, or /passes/blur/when=null for any place", place};
 
+    const std::size_t second = text.find('=', equals + 1), gap = text.find_last_of(" ,", second);
+    if (second != text.npos && gap != text.npos && gap > equals &&
+        text.find_first_of("[{\"") == text.npos)
+        return Diagnostic{Code::override_syntax, "found two values where one name=value was wanted",
+                          "write --set " + text.substr(0, text.find_first_of(" ,", equals)) +
+                              " --set " + text.substr(gap + 1),
+                          place};
+
     // The name is blank while the value is read, so that columns count from the override's start.
     source->text = std::string(equals + 1, ' ') + text.substr(equals + 1);
     Result<Node> value = parseValue(source);

@@ -8,6 +8,7 @@
 #include "tools/render/view_diagnosis.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace crevice {
 namespace {
@@ -51,9 +52,12 @@ Result<std::vector<Picture>> readRequests(const RenderOptions& options)
                 return known.diagnostics();
         const Status writable = checkWritable(request->file);
         if (!writable) return writable.diagnostics();
+        std::error_code ignored;
         for (const Picture& other : pictures)
-            if (other.request.file == request->file)
-                return Diagnostic{Code::usage, "two --out write '" + request->file + "'"};
+            if (std::filesystem::weakly_canonical(other.request.file, ignored) ==
+                std::filesystem::weakly_canonical(request->file, ignored))
+                return Diagnostic{Code::usage, "two --out write '" + request->file + "'",
+                                  "give each a file of its own"};
         pictures.push_back({*request, {}});
     }
     return pictures;

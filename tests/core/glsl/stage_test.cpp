@@ -169,41 +169,6 @@ TEST_CASE("the text's own #define and #undef count from where they stand")
     CHECK(stage.text.find("#define N (2 + \\\n 3)\n") != std::string::npos);
 }
 
-TEST_CASE("a directive that cannot be read is one error at its place")
-{
-    const struct {
-        const char* body;
-        int line, column;
-    } kCases[] = {
-        {"int x;\n#if 1\n", 3, 2},
-        {"#ifdef A\n#else\n", 2, 2},
-        {"#endif\n", 2, 2},
-        {"#else\n", 2, 2},
-        {"#if 0\n#else\n#else\n#endif\n", 4, 2},
-        {"#if 0\n#else\n#elif 1\n#endif\n", 4, 2},
-        {"#if\n#endif\n", 2, 2},
-        {"#if 1 +\n#endif\n", 2, 5},
-        {"#if (1\n#endif\n", 2, 5},
-        {"#if 1 / 0\n#endif\n", 2, 5},
-        {"#if defined(\n#endif\n", 2, 5},
-        {"#if 1.5\n#endif\n", 2, 5},
-        {"#ifdef\n#endif\n", 2, 2},
-        {"#define 3\n", 2, 2},
-        {"#undef\n", 2, 2},
-        {"#include x\n", 2, 2},
-        {"#include \"x\n", 2, 2},
-        {"int x; /* open\n", 2, 1},
-    };
-    for (const auto& one : kCases) {
-        INFO(one.body);
-        const Diagnostic error = errorOf(one.body);
-        CHECK(error.code == Code::preprocessor);
-        CHECK(error.place.source->name == "a/main.frag");
-        CHECK(error.place.line == one.line);
-        CHECK(error.place.column == one.column);
-    }
-}
-
 TEST_CASE("endless nesting and macros without end are errors, not crashes")
 {
     CHECK(errorOf("#if " + std::string(100000, '(') + "\n#endif\n").code == Code::preprocessor);

@@ -100,7 +100,7 @@ std::function<std::string(const std::string&)> aboveZero(const std::string& exam
     return [example](const std::string& text) {
         const double number = parseNumber(text).value_or(0.0);
         if (number > 0.0 && std::isfinite(number)) return std::string();
-        return "'" + text + "' is not a number above 0, as in " + example;
+        return "'" + text + "' is not a number above 0, without a unit, as in " + example;
     };
 }
 

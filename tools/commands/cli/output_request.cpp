@@ -67,7 +67,8 @@ Status checkWritable(const std::string& file)
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored))
         return unwritable(file, "there is no folder '" + folder.string() + "'",
-                          "mkdir -p '" + folder.string() + "'");
+                          file[0] == '~' ? "write $HOME for '~', which no shell replaces behind '='"
+                                         : "mkdir -p '" + folder.string() + "'");
     if (fs::is_directory(file, ignored))
         return unwritable(file, "it is a folder", "give a file's name");
     if (access(folder.c_str(), W_OK) != 0)

@@ -71,8 +71,8 @@ void addSample(const std::string& view, const BenchSample& sample, Gathered& gat
     gathered.views.push_back(view);
 }
 
-/// All samples of the candidates' views, by label.
-void gather(const std::vector<BenchSample>& samples, Candidates& candidates)
+/// All samples of the candidates' views, by label. Whether something was measured in all of them.
+bool gather(const std::vector<BenchSample>& samples, Candidates& candidates)
 {
     std::vector<Gathered> all;
     std::map<std::string, std::size_t> places;
@@ -84,10 +84,12 @@ void gather(const std::vector<BenchSample>& samples, Candidates& candidates)
             candidates.error_without_ao =
                 std::max(candidates.error_without_ao, samples[i].error_without_ao);
         }
+    bool shared = false;
     for (Gathered& gathered : all) {
         std::vector<std::string> lacking;
         for (const ResultView& view : candidates.views)
             if (!contains(gathered.views, view.name)) lacking.push_back(view.name);
+        shared = shared || lacking.empty();
         const std::string& label = gathered.candidate.label;
         if (gathered.harmful)
             candidates.harmful.push_back(label);
@@ -96,6 +98,7 @@ void gather(const std::vector<BenchSample>& samples, Candidates& candidates)
         else
             candidates.list.push_back(std::move(gathered.candidate));
     }
+    return shared;
 }
 
 /// Notes what was measured in the scope, but with another radius or size than the rest.
@@ -155,8 +158,21 @@ Result<Candidates> findCandidates(const std::vector<BenchSample>& samples, const
         const std::string size = scope.extent == Extent{} ? "" : " at " + extentName(scope.extent);
         return scopeError("there are no results" + scene + size, missingScope(all));
     }
-    gather(samples, candidates);
+    std::vector<std::string> unshared;
+    while (!gather(samples, candidates)) {  // a single view is shared by itself
+        std::vector<ResultView>& views = candidates.views;
+        const auto least = std::min_element(views.begin(), views.end(),
+                                            [](const ResultView& a, const ResultView& b) {
+                                                return a.samples.size() < b.samples.size();
+                                            });
+        unshared.push_back("scene " + least->name + ": nothing was measured in it and the others");
+        const auto same = [&](const ResultView& view) { return view.name == least->name; };
+        in_scope.erase(std::remove_if(in_scope.begin(), in_scope.end(), same), in_scope.end());
+        views.erase(least);
+        candidates = {*device, std::move(views), {}, {}, {}, 0};
+    }
     addOtherwiseMeasured(samples, in_scope, candidates);
+    candidates.elided.insert(candidates.elided.begin(), unshared.begin(), unshared.end());
     return candidates;
 }
 
@@ -237,7 +253,9 @@ Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
                      "none of " + std::to_string(list.size() + candidates.harmful.size()) +
                          " configs is better than no ambient occlusion and has " +
                          limitText(limit)};
-    if (!beyond.empty()) error.help = "the nearest is " + shortText(list[beyond[0]]);
+    const char* nearest =
+        limit.kind == ChoiceLimit::Kind::error ? "the nearest is " : "the fastest is ";
+    if (!beyond.empty()) error.help = nearest + shortText(list[beyond[0]]);
     std::vector<std::string> scenes;
     for (const ResultView& view : candidates.views)
         if (!contains(scenes, view.scene)) scenes.push_back(view.scene);

@@ -216,7 +216,10 @@ void suggestInclude(Diagnostic& error, const Description& description, const Pla
     if (!endsWith(error.message, kNotDeclared)) return;
     const std::string name(quotedName(error.message));
     const std::string supply = compiler::declarationOf(description, name);
-    const std::string help = supply.empty() ? includeOf(description, name) : supply;
+    std::string help = supply.empty() ? includeOf(description, name) : supply;
+    if (const GlslOutput* out = findNamed(program.vertex.outputs, name))
+        help = "add: in " + std::string(glslName(out->type)) + " " + name +
+               "; which the vertex shader writes";
     if (!help.empty()) error.help = help;
     if (help.empty() || !supply.empty()) return;
     for (const GlslStage* stage : {&program.vertex, &program.fragment})

@@ -301,7 +301,10 @@ Status writeImage(const std::string& path, const Image& image)
 Result<Image> readImage(const std::string& path, double most_pixels)
 {
     const FileBytes file = readBytes(path, kMaxImageBytes);
-    if (!file) return brokenImage(path, file.failure);
+    if (!file)
+        return brokenImage(
+            path, file.failure,
+            suggestName(path, filesBeside(path, path, lowerExtension(path)), "files there"));
     return decodeImage(file.bytes, path, most_pixels);
 }
 

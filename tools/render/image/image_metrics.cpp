@@ -33,10 +33,10 @@ Status checkSizes(const Image& test, const Image& ground_truth, const Image* mas
                        : mask && mask->extent != ground_truth.extent ? mask
                                                                      : nullptr;
     if (!odd) return {};
-    return Diagnostic{
-        Code::image_size,
-        "the images differ in size: " + sizeName(*odd) + " and " + sizeName(ground_truth),
-        "render both at the same --size"};
+    return Diagnostic{Code::image_size,
+                      (odd == mask ? "the mask and the images" : "the images") +
+                          (" differ in size: " + sizeName(*odd)) + " and " + sizeName(ground_truth),
+                      "render both at the same --size"};
 }
 
 // By colour, so that alpha does not make black count.

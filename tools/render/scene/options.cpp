@@ -21,7 +21,12 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
                    "Time limit for reading the scene, in seconds. Default: 3, plus 1 for each MiB "
                    "of the file")
         ->type_name("SECONDS")
-        ->check(CLI::Range(1, 86400));
+        ->check([range = CLI::Range(1, 86400)](std::string text) {
+            const bool bad = !range(text).empty();
+            return bad ? "'" + text +
+                             "' is no whole number of seconds from 1 to 86400, without a unit"
+                       : "";
+        });
     addRootOption(app, options.roots);
 }
 

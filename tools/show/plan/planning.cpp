@@ -69,6 +69,25 @@ Result<Plan> planFor(const Description& description, const SceneTraits& traits, 
     return compile(description, traits, usualCaps(), options);
 }
 
+/// Warns of outputs that are nowhere but in their declaration, and perhaps before ==.
+void warnUnwritten(const PlanProgram& program, Diagnostics& warnings)
+{
+    const std::string& text = program.fragment.text;
+    for (const GlslOutput& output : program.fragment.outputs) {
+        int uses = 0;
+        for (std::size_t at = 0; (at = findWord(text, output.name, at)) != text.npos;) {
+            at += output.name.size();
+            uses +=
+                text.compare(std::min(text.find_first_not_of(' ', at), text.size()), 2, "==") != 0;
+        }
+        if (uses > 1) continue;
+        warnings.push_back({Code::output_mismatch,
+                            "'" + output.name + "' is an output, and nothing writes it",
+                            "write " + output.name + " = ...;", output.place, program.pointer});
+        warnings.back().severity = Severity::warning;
+    }
+}
+
 }  // namespace
 
 Result<Plan> planForEveryScene(const Result<Description>& description, const std::string& name,
@@ -111,7 +130,9 @@ Result<Plan> planForEveryScene(const Result<Description>& description, const std
                                           lowerCase(quotedName(each.message))) +
                         each.help;
     if (!errors.empty()) return errors;
-    return plan;
+    Diagnostics warnings = plan.diagnostics();
+    for (const PlanProgram& program : plan->programs) warnUnwritten(program, warnings);
+    return {std::move(*plan), std::move(warnings)};
 }
 
 Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources)
