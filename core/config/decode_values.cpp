@@ -339,25 +339,24 @@ bool isRetyped(Report& report, const Cursor& param)
 {
     const Node* type = param.node.find("type");
     if (!type || type->place.source == param.node.place.source) return false;
-    const Place first = type->origins.empty() ? Place() : type->origins.front();
-    const std::string_view line = first.source ? lineOf(first.source->text, first.line) : "";
-    const std::string was(
-        first.source ? line.substr(std::size_t(first.column) - 1, std::size_t(first.length))
-                     : "\"float\"");
+    std::string was = "\"float\"";
+    for (const Place& first : type->origins)
+        was = lineOf(first.source->text, first.line)
+                  .substr(std::size_t(first.column) - 1, std::size_t(first.length));
     if (brief(*type) == was) return false;
-    Cursor at{*type, param.pointer + "/type"};
-    Reported& error = report.atValue(
-        at, Code::wrong_type,
-        "param '" + param.key + "' is declared as " + was + ", and here as " + brief(*type),
-        "leave out 'type', or declare a param of another name");
-    error.notes.assign(1, {param.node.place, "it is declared here"});
+    report.add({Code::wrong_type,
+                "param '" + param.key + "' is declared as " + was + ", and here as " + brief(*type),
+                "leave out 'type', or declare a param of another name",
+                type->place,
+                param.pointer + "/type",
+                {{param.node.place, "it is declared here"}}});
     return true;
 }
 
-// Says of an entry that no file declares what it may be, before how one is declared. Whether
-// something is like it.
-bool suggestDeclared(const Report& report, const std::string& section, const std::string& name,
-                     Reported& error)
+// Says of an entry that no file declares which was meant; the help so far says how to declare one.
+// An object is a declaration that lacks something, unless there is one like it.
+void sayUndeclared(const Report& report, const std::string& section, const std::string& name,
+                   bool bare, Reported& error)
 {
     const Node& entries = *locate(report.document(), memberPointer("", section)).node;
     std::vector<std::string> declared;
@@ -372,25 +371,24 @@ bool suggestDeclared(const Report& report, const std::string& section, const std
     for (const Member& gone : entries.deleted)
         if (gone.key == name)
             error.notes.push_back({gone.key_place, "what declared it was left out here"});
-    return !error.notes.empty() || startsWith(help, "did you") || startsWith(help, "declared by");
-}
-
-std::string undeclared(const std::string& section, const std::string& name)
-{
+    const bool like = startsWith(help, "did you") || startsWith(help, "declared by");
+    if (!bare && !like && error.notes.empty()) return;
+    error.code = Code::unknown_param;
     const std::size_t end = endsWith(section, "ses") ? 2 : section.back() == 's';
-    return section.substr(0, section.size() - end) + " '" + name +
-           "' is set here, and no file declares it";
+    error.message = section.substr(0, section.size() - end) + " '" + name +
+                    "' is set here, and no file declares it";
 }
 
 void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry)
 {
     if (report.full()) return report.count();
-    Reported& error = report.atKey(entry, Code::unknown_param, undeclared(section.key, entry.key));
-    error.help = report.otherSection(section.key, entry.key);
-    if (!error.help.empty()) return;
-    if (report.leavesOut(entry.key_place)) return Report::leaveOut(error);
-    error.help = "write {\"default\": " + brief(entry.node) + "}";
-    suggestDeclared(report, section.key, entry.key, error);
+    Reported& error = report.atKey(entry, Code::unknown_param, "",
+                                   "write {\"default\": " + brief(entry.node) + "}");
+    sayUndeclared(report, section.key, entry.key, true, error);
+    if (const std::string other = report.otherSection(section.key, entry.key); !other.empty())
+        error.help = other;
+    else if (report.leavesOut(entry.key_place))
+        Report::leaveOut(error);
 }
 
 void Reader::refuse(const char* key, Code code, const char* reason)
@@ -467,9 +465,7 @@ void Reader::reportMissing(const std::string& key, const std::string& doc)
     Reported& error =
         report_.atKey(cursor_, Code::missing_key, message, "add \"" + key + "\": " + doc);
     const std::vector<std::string> path = pointerKeys(cursor_.pointer);
-    if (path.size() != 2 || !suggestDeclared(report_, path[0], path[1], error)) return;
-    error.code = Code::unknown_param;  // it was meant to change one that is there
-    error.message = undeclared(path[0], path[1]);
+    if (path.size() == 2) sayUndeclared(report_, path[0], path[1], false, error);
 }
 
 const Member* Reader::find(std::string_view key) const

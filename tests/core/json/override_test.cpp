@@ -45,21 +45,3 @@ TEST_CASE("an override by pointer sets, makes and deletes")
     CHECK(overridden("/=1").find(""));
     CHECK(overridden("/x~=1").find("x~"));
 }
-
-TEST_CASE("a variant or an override cannot change what a file extends, nor its variants")
-{
-    MemorySources sources = smallCatalog();
-    sources.add("configs/bad.json", file(R"("extends": ["base"],
-        "variants": {"other": {"extends": ["filter/box"]},
-                     "nested": {"variants": {"more": {}}}})"));
-    for (const char* variant : {"other", "nested"})
-        CHECK(failure(sources, {"bad", variant}).code == Code::unknown_key);
-    for (const char* text : {"/extends=[\"filter/box\"]", "/extends/2=filter/box",
-                             "/variants/fast=5", "/variants/fast/params/radius/default=5"}) {
-        const Diagnostic error = failure(sources, {"base", "", {text}});
-        CHECK(error.code == Code::unknown_key);
-        REQUIRE(error.place.source);
-        CHECK(error.place.source->name == std::string("--set ") + text);
-        CHECK_FALSE(error.help.empty());
-    }
-}

@@ -23,7 +23,7 @@ expect 2 'write crevice report' compare-bench a b
 expect 2 'crevice render --help' render
 expect 2 'CV8001' render learnopengl --backend vulkan
 expect 2 'CV8001' render learnopengl --effects nowhere
-expect 2 'CV8001.*two --out' render learnopengl --out color=a.png --out ao=a.png
+expect 2 'CV8001.*two --out' render learnopengl --out color=a.png --out ao=./a.png
 expect 2 'CV8001' validate
 expect 2 'CV8001' explain learnopengl --format svg
 expect 2 'CV8001' compare a.png
@@ -34,8 +34,11 @@ expect 2 "write --host-depth=normals" render gtao --host-depth normals
 expect 2 "write --config mine.json" bench mine.json
 expect 2 "long dash" render gtao –size 320x180
 expect 2 "write two hyphens: --size" render gtao —size 320x180
-expect 2 "'4x16' is not a number above 0, as in 4,16" bench --config gtao --samples 4x16 --list
+expect 2 "'4x16' is not a number above 0, without a unit, as in 4,16" bench --config gtao --samples 4x16 --list
 expect 2 "not a number above 0" choose results.jsonl --error nan
+expect 2 'as one word: 10m' bench --config gtao --time-budget 10 minutes --list
+expect 2 'seconds from 1 to' render gtao --import-time 500ms
+expect 4 'HOME' render gtao --scene plane --out 'ao=~/x.png'
 expect 2 'with its unit' bench --config gtao --time-budget 10 --list
 expect 2 'without a unit, bytes=' validate gtao --limit bytes=1MiB
 mkdir empty

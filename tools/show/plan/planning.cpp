@@ -75,11 +75,10 @@ void warnUnwritten(const PlanProgram& program, Diagnostics& warnings)
     const std::string& text = program.fragment.text;
     for (const GlslOutput& output : program.fragment.outputs) {
         int uses = 0;
-        for (std::size_t at = 0; (at = findWord(text, output.name, at)) != text.npos;) {
-            at += output.name.size();
+        for (std::size_t at = findWord(text, output.name); at != text.npos;
+             at = findWord(text, output.name, at + 1))
             uses +=
-                text.compare(std::min(text.find_first_not_of(' ', at), text.size()), 2, "==") != 0;
-        }
+                text.compare(text.find_first_not_of(' ', at + output.name.size()), 2, "==") != 0;
         if (uses > 1) continue;
         warnings.push_back({Code::output_mismatch,
                             "'" + output.name + "' is an output, and nothing writes it",

@@ -87,6 +87,14 @@ TEST_CASE("a config that lacks a scene is left out of the choice and said so")
     CHECK(candidates->elided[0] == "wonder samples=4: no figures for hall");
 }
 
+TEST_CASE("a scene in which nothing was measured of the others is left out of the choice")
+{
+    auto samples = twoScenes();
+    samples.push_back(benchSample("wonder", 4, 0.1, 0.001, "street"));
+    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
+    CHECK(findCandidates(samples, {})->elided.at(0).find("scene street: ") == 0);
+}
+
 TEST_CASE("what is no better than no ambient occlusion in one scene is no candidate")
 {
     auto samples = twoScenes();

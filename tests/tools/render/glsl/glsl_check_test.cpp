@@ -89,11 +89,6 @@ std::vector<Mistake> mistakes()
     return all;
 }
 
-std::string numbersOf(const Place& place)
-{
-    return std::to_string(place.line) + ":" + std::to_string(place.column);
-}
-
 }  // namespace
 
 TEST_CASE("Each usual mistake in a shader is one error with its place, its cause and a way out")
@@ -164,7 +159,7 @@ TEST_CASE("Stages that do not fit are refused at the input that does not")
                      errors.end());
         REQUIRE(errors.size() == 1);
         CHECK(errors[0].code == Code::shader_link);
-        CHECK(numbersOf(errors[0].place) == "5:9");
+        CHECK(placeName(errors[0].place) == "x.frag:5:9");
         CHECK(errors[0].message.find("'uv'") != std::string::npos);
         CHECK_FALSE(errors[0].help.empty());
     }
