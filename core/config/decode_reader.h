@@ -54,8 +54,8 @@ bool isDeclared(const std::vector<T>&, const Node& entry)
     return !tunable || entry.kind == Node::Kind::object;
 }
 
-/// CV3002 where a file gives a param another type than that which declares it.
-bool isRetyped(Report& report, const Cursor& param);
+/// CV3002 where a file gives a param or feature another type than that which declares it.
+bool isRetyped(Report& report, const Cursor& entry);
 
 /// CV4004 about a value of what no file declares; a warning where it is left out.
 void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry);
@@ -179,7 +179,8 @@ bool read(Report& report, const Cursor& cursor, T& out, const Rule& rule)
         out = static_cast<T>(index);
         return true;
     } else {
-        if (std::is_same_v<T, ParamDesc> && isRetyped(report, cursor)) return false;
+        const bool typed = std::is_same_v<T, ParamDesc> || std::is_same_v<T, FeatureDesc>;
+        if (typed && isRetyped(report, cursor)) return false;
         Reader reader(report, cursor);
         fields(reader, out);
         if constexpr (std::is_same_v<T, SizeDesc>) out.place = lastPlace(cursor.node);

@@ -335,21 +335,21 @@ void checkName(Report& report, const Cursor& cursor)
     error.mistake = "nested " + cursor.pointer;
 }
 
-bool isRetyped(Report& report, const Cursor& param)
+bool isRetyped(Report& report, const Cursor& entry)
 {
-    const Node* type = param.node.find("type");
-    if (!type || type->place.source == param.node.place.source) return false;
-    std::string was = "\"float\"";
+    const Node* type = entry.node.find("type");
+    if (!type || type->place.source == entry.node.place.source) return false;
+    std::string was = startsWith(entry.pointer, "/params/") ? "\"float\"" : "\"bool\"";
     for (const Place& first : type->origins)
         was = lineOf(first.source->text, first.line)
                   .substr(std::size_t(first.column) - 1, std::size_t(first.length));
     if (brief(*type) == was) return false;
     report.add({Code::wrong_type,
-                "param '" + param.key + "' is declared as " + was + ", and here as " + brief(*type),
-                "leave out 'type', or declare a param of another name",
+                "'" + entry.key + "' is declared as " + was + ", and here as " + brief(*type),
+                "leave out 'type', or declare one of another name",
                 type->place,
-                param.pointer + "/type",
-                {{param.node.place, "it is declared here"}}});
+                entry.pointer + "/type",
+                {{entry.node.place, "it is declared here"}}});
     return true;
 }
 

@@ -111,6 +111,8 @@ use function syntax|'$' is a variable here, which hides the function|rename the 
 last qualifier|the precision stands right before the type|write as in: uniform mediump float x;
 nested scope|'$' stands outside of functions alone|move the declaration above the function
 initializers must be constant|a const outside of functions has a constant value|set it in main()
+integer expression required|an index is a whole number|write 0 for 0.0, or int(...)
+sampler-constructor|a sampler is read by a function|write texture(s, uv)
 call expected|this is called, and it is no function|write * to multiply
 take any parameter|main takes no parameters|write: void main()
 Recursion detected|'$' calls itself, which GLSL has not|write it as a loop
@@ -140,10 +142,13 @@ constexpr std::pair<std::string_view, const char*> kArguments[] = {
 /// such, of which $ is the first. The error is at the token behind '@', or else in that statement.
 constexpr std::string_view kPatterns = R"(
 ( type ) value|a value is converted by a call of the type|write $(...)
+. size (|GLSL has no methods|write .length() of an array
 . Sample (|GLSL has no methods|write texture(s, uv)
 . sample (|GLSL has no methods|write texture(s, uv)
 . name (|GLSL has no methods|write $(...) with the value inside
 name ::|GLSL has no '$::'|write what stands behind it alone
+? value @;|a '?' has no ':'|write x > 0.0 ? 1.0 : 0.0
+=>|GLSL has no '=>'|write >=
 **|GLSL has no '**'|write pow(a, b)
 type @&|GLSL has no references|leave '&' out; write inout for a parameter that is changed
 type @*|GLSL has no pointers|take an index, or an inout parameter
@@ -155,10 +160,6 @@ type name @:|GLSL has no loop over elements|write for (int i = 0; i < 4; ++i)
 ; @else|this 'else' follows no 'if'|put what the 'if' does in { }, with no ';' before it
 } @else|this 'else' follows no 'if'|take out the ';' behind the condition
 )";
-
-/// What a syntax error may say is wanted, what is most likely meant first.
-constexpr std::pair<const char*, const char*> kSigns[] = {
-    {"RIGHT_PAREN", ")"}, {"RIGHT_BRACKET", "]"}, {"LEFT_PAREN", "("}, {"SEMICOLON", ";"}};
 
 bool has(std::string_view text, std::string_view part)
 {
@@ -243,7 +244,9 @@ private:
     bool fits(std::string_view kind, std::size_t i) const;
     bool pattern();
     void sayRow(const std::vector<std::string_view>& row, std::string_view name);
+    int open(std::string_view sign, std::string_view end) const;
     void syntax(const std::string& message);
+    void missing(const std::string& wanted, const GlslToken& last, bool value);
     void openBrace();
     void tell(const std::string& message, const std::string& name);
     void unknown(const std::string& name, bool function);
@@ -307,7 +310,14 @@ bool Speaker::pattern()
     return false;
 }
 
-/// A missing semicolon belongs to where it is missing, which is behind what the compiler read last.
+/// How many of such brackets are open where the error is.
+int Speaker::open(std::string_view sign, std::string_view end) const
+{
+    int open = 0;
+    for (std::size_t i = 0; i < at_; ++i) open += tokens_[i].is(sign) - tokens_[i].is(end);
+    return open;
+}
+
 void Speaker::syntax(const std::string& message)
 {
     if (at_ == 0 || at_ >= tokens_.size()) return;
@@ -316,46 +326,48 @@ void Speaker::syntax(const std::string& message)
     std::size_t before_at = at_ - 1;
     while (before_at > 0 && tokens_[before_at].is("#")) --before_at;
     const GlslToken& last = tokens_[before_at];
-    const GlslToken* next = at_ + 1 < tokens_.size() ? &found + 1 : nullptr;
-    int depth = 0, parens = 0;
-    for (std::size_t i = 0; i < at_; ++i) {
-        depth += tokens_[i].is("{") - tokens_[i].is("}");
-        parens += tokens_[i].is("(") - tokens_[i].is(")");
-    }
-    const bool word = isValue(found), value = isValue(last) || isOneOf(last, ")]");
-    const bool on = last.line == found.line;
+    const int depth = open("{", "}"), parens = open("(", ")");
+    const bool value = isValue(last) || isOneOf(last, ")]");
     const std::string text(found.text), before(last.text);
-    const std::string wanted = message.substr(std::min(message.find("expecting"), message.size()));
-    for (const auto& [sign, open, count] :
+    for (const auto& [sign, opens, count] :
          {std::tuple("}", "{", depth), std::tuple(")", "(", parens)})
         if (found.is(sign) && count <= 0)
             return say("this '" + text + "' closes nothing",
-                       "take it out, or add the '" + std::string(open) + "' that it is to close");
+                       "take it out, or add the '" + std::string(opens) + "' that it is to close");
     if (depth > 0 && found.is("{") && last.is(")")) return openBrace();
-    if (depth == 0 && isName(found) && next && next->is("(") && !value)
+    if (depth == 0 && isName(found) && !value && at_ + 1 < tokens_.size() && (&found)[1].is("("))
         return say("function '" + text + "' has no return type", "write: float " + text + "(...)");
     if (has(" if for while switch ", " " + before + " "))
         return say("a '(' is missing before '" + text + "'", "add '('");
-    if (value && word && on)
+    if (value && isValue(found) && last.line == found.line && text != "else")
         return say("an operator or sign is missing between '" + before + "' and '" + text + "'",
                    "add what is meant: " + std::string(parens > 0 ? "," : ";") + " + - * / ...");
-    std::string expected;
-    for (const auto& [name, sign] : kSigns)
+    missing(message.substr(std::min(message.find("expecting"), message.size())), last, value);
+}
+
+/// By what the compiler wanted. A missing semicolon belongs to where it is missing, which is behind
+/// what the compiler read last.
+void Speaker::missing(const std::string& wanted, const GlslToken& last, bool value)
+{
+    const GlslToken& found = tokens_[at_];
+    const std::string text(found.text), before(last.text);
+    std::string expected;  // what is most likely meant first
+    for (const auto& [name, sign] : {std::pair("RIGHT_PAREN", ")"), std::pair("RIGHT_BRACKET", "]"),
+                                     std::pair("LEFT_PAREN", "("), std::pair("SEMICOLON", ";")})
         if (expected.empty() && (has(wanted, name) || has(wanted, "'" + std::string(sign) + "'")))
             expected = sign;
-    if (!expected.empty() && expected != ";" && (isOneOf(found, ";{}") || !on))
+    if (!expected.empty() && expected != ";" && (isOneOf(found, ";{}") || last.line != found.line))
         return say("a '" + expected + "' is missing before '" + text + "'",
                    "add '" + expected + "'");
-    if ((value || expected == ";") && (word || found.is("}"))) {
-        say("a ';' is missing behind '" + before + "'", "add ';'");
+    if ((value || expected == ";") && (isValue(found) || found.is("}"))) {
+        const bool body = open("{", "}") <= 0 && last.is(")") && !fits("type", at_);
+        expected = body ? "{" : ";";
+        say("a '" + expected + "' is missing behind '" + before + "'", "add '" + expected + "'");
         pointAt(last);
         error_.place.column += error_.place.length;
         error_.place.length = 1;
         return;
     }
-    for (std::size_t i = statement(), asked = 0; i < at_; ++i)
-        if ((asked += tokens_[i].is("?") - tokens_[i].is(":")) > 0 && i + 1 == at_)
-            return say("a '?' has no ':'", "write: x > 0.0 ? 1.0 : 0.0");
     say("'" + text + "' cannot stand behind '" + before + "'",
         expected.empty() ? "no statement of GLSL has the two in a row"
                          : "glslang expects '" + expected + "' there");
@@ -454,6 +466,8 @@ void Speaker::unknown(const std::string& name, bool function)
     if (function && known && findNamed(stage_.outputs, argument))
         help = "'" + argument +
                "' is an output, which no pass reads: read a target as a uniform sampler2D";
+    if (startsWith(help, "GLSL ES converts"))
+        help = "their number, order, types and sizes must be as the function takes them";
     if (function && (known || !declared.empty()))
         return say("no '" + name + "' takes these arguments", help);
     if (known || !declared.empty())
@@ -478,6 +492,7 @@ std::string Speaker::conversion(const std::string& given, const std::string& wan
         return "write " + text + (wanted == "uint" ? "u" : ".0") + " for " + text +
                ": GLSL ES converts nothing by itself";
     }
+    if (startsWith(given, "sampler")) return "write texture(s, uv), which reads it";
     if (given == "void") return "let the function return " + wanted;
     if (has(given, "vec") && !isWhole(given) && (wanted < given || !has(wanted, "vec")))
         return "take as many of its components as are wanted: .x, .xy or .xyz";
@@ -500,6 +515,7 @@ void Speaker::types(const std::string& message)
             : !compare.empty() && has(operands[0], "vec")
                 ? "compare by component: any(" + compare + "(a, b))"
             : operands[0] == operands[1] ? "it is for other types; % of floats is mod(a, b)"
+            : contains(operands, "bool") ? "write float(...) around what is true or false"
             : isWhole(operands[0]) && isWhole(operands[1]) ? conversion(operands[0], operands[1])
             : isWhole(operands[0]) ? conversion(operands[0], floatOf(operands[0]))
             : isWhole(operands[1]) ? conversion(operands[1], floatOf(operands[1]))

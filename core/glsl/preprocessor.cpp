@@ -240,13 +240,10 @@ private:
         const bool arguments = tokens.size() > 3 && tokens[3].is("(") &&
                                tokens[3].line == name.line &&
                                tokens[3].column == name.column + int(name.text.size());
-        const bool assigns = tokens.size() > 4 && tokens[3].is("=");
-        if (assigns || (tokens.size() == 5 && tokens[4].is(";")))
-            fail("#define takes all that follows the name, '" +
-                     std::string(tokens[assigns ? 3 : 4].text) + "' too",
-                 name,
-                 "write #define " + std::string(name.text) + " " +
-                     std::string(tokens[assigns ? 4 : 3].text));
+        const bool ends = tokens.size() == 5 && tokens[4].is(";");
+        if (ends || (tokens.size() > 3 && tokens[3].is("=")))
+            fail("#define takes all that follows the name, '=' and ';' too", name,
+                 "write the value alone: #define TAPS 4");
         unit_.macros.define(name.text, {tokens.begin() + 3, tokens.end()}, arguments);
     }
 

@@ -327,6 +327,7 @@ private:
     const char* helpFor(const std::string& wanted, const char* usual) const
     {
         if (codePoint(text_, at_) >= 0x80) return kPlain;
+        if (here() == ';') return "write ',' between pairs or values, and none behind the last";
         if (here() == '#') return "a comment begins with //";
         for (const char* marker : {"<<<<<<<", "|||||||", "=======", ">>>>>>>"})
             if (at_ == line_begin_ && startsWith(text_.substr(at_), marker)) return kMerge;

@@ -99,8 +99,9 @@ void mergeMember(Node& base, const Member& patch, const std::string& pointer, st
 std::string wayToObject(std::string_view pointer, const Node& value,
                         const std::vector<std::string>& keys)
 {
-    if (endsWith(pointer, "/size") && value.kind == Node::Kind::number)
-        return "write {\"scale\": " + brief(value) + "}";
+    const bool number = value.kind == Node::Kind::number;
+    if (endsWith(pointer, "/size") && value.items.empty())
+        return "write {\"scale\": " + (number ? brief(value) : "0.5") + "}";
     const Node* name = value.items.empty() ? &value : &value.items[0];
     if (!keys.empty() && name == &value)
         return "write an object with some of the keys " + joined(keys);

@@ -85,6 +85,8 @@ int usageError(const CLI::App& app, const CLI::ParseError& error,
     Diagnostic diagnostic{Code::usage, error.what()};
     diagnostic.help =
         "see crevice " + (chosen.empty() ? "" : chosen[0]->get_name() + " ") + "--help";
+    if (startsWith(diagnostic.message, "Could not convert"))
+        diagnostic.help = "a number is wanted, without a unit; " + diagnostic.help;
     nameUnknown(chosen.empty() ? app : *chosen[0], arguments, diagnostic);
     if (!chosen.empty()) nameMisplaced(*chosen[0], arguments, diagnostic);
     report({diagnostic}, false);

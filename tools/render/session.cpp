@@ -52,10 +52,11 @@ Result<std::vector<Picture>> readRequests(const RenderOptions& options)
                 return known.diagnostics();
         const Status writable = checkWritable(request->file);
         if (!writable) return writable.diagnostics();
-        std::error_code ignored;
+        const auto whole = [](const std::string& file) {
+            return std::filesystem::absolute(file).lexically_normal();
+        };
         for (const Picture& other : pictures)
-            if (std::filesystem::weakly_canonical(other.request.file, ignored) ==
-                std::filesystem::weakly_canonical(request->file, ignored))
+            if (whole(other.request.file) == whole(request->file))
                 return Diagnostic{Code::usage, "two --out write '" + request->file + "'",
                                   "give each a file of its own"};
         pictures.push_back({*request, {}});

@@ -30,7 +30,7 @@ expect 0 '^quick samples=16$' choose results.jsonl --error 0.09
 expect 0 'crevice render fine --set samples=16 --scene room' choose results.jsonl --error 0.045
 expect 0 '"config": "fine"' choose results.jsonl --budget 3000us --json
 expect_json
-expect 1 'nearest is quick samples=4' choose results.jsonl --budget 0.1ms
+expect 1 'fastest is quick samples=4' choose results.jsonl --budget 0.1ms
 expect 2 'CV8001.*one of --budget and --error' choose results.jsonl
 expect 2 'CV8001.*one of --budget and --error' choose results.jsonl --budget 2ms --error 0.1
 expect 2 '500us' choose results.jsonl --budget 2
