@@ -109,7 +109,7 @@ bool isExtension(std::string_view key);
 /// Reports names that collide (CV2107) and targets that follow each other's size (CV2204).
 void checkNames(const Description& description, Report& report);
 
-/// Reports what refers to nothing or stands where it may not: CV2101 to CV2106, CV2201, CV3006 and
+/// Reports what refers to nothing or stands where it may not: CV2101 to CV2106, CV2201, CV2207 and
 /// CV4001. Returns all names that something refers to.
 std::set<std::string> checkReferences(const Node& document, const Description& description,
                                       Report& report);

@@ -69,7 +69,7 @@ enum class Code : int {
     out_of_range = 4001,   ///< A value outside its range.
     bad_range = 4002,      ///< min above max, or a default outside them.
     not_finite = 4003,     ///< NaN or infinity.
-    unknown_param = 4004,  ///< A value for a param, feature or kernel that is not there.
+    unknown_param = 4004,  ///< A value for a param, pass or the like that is not there.
     bad_size = 4005,       ///< A size that is not positive or that the device cannot hold.
     value_dropped = 4006,  ///< A value set at run time that a reloaded config has no place for.
 
