@@ -4,16 +4,12 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
-
 namespace crevice {
-
 namespace {
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-/// The offset of the newline that ends the line, or the end of the text. With `continued`, a
-/// backslash before a newline does not end it.
+/// The offset of the line's end, which with `continued` no newline behind a backslash is.
 std::size_t lineEnd(std::string_view text, std::size_t begin, bool continued)
 {
     std::size_t end = begin;
@@ -70,8 +66,7 @@ void readToken(std::string_view text, std::size_t begin, GlslToken& token)
     token.text = text.substr(begin, end - begin);
 }
 
-/// Without what a blanked comment leaves at the end. A backslash must not become the last byte that
-/// way: it would then continue the line.
+/// Without what a blanked comment leaves at the end, unless a backslash then continued the line.
 std::string_view trimEnd(std::string_view line)
 {
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);

@@ -100,7 +100,7 @@ Value divided(Int left, Int right, bool remainder)
 
 /// A binary operator, and how tightly it binds.
 struct Operator {
-    std::string_view sign;
+    std::string_view name;  ///< The sign.
     int level;
     Value (*apply)(Int, Int);
 };
@@ -128,40 +128,34 @@ constexpr Operator kOperators[] = {
     {"%", 10, [](Int a, Int b) { return divided(a, b, true); }},
 };
 
-const Operator* findOperator(std::string_view sign)
-{
-    for (const Operator& each : kOperators)
-        if (each.sign == sign) return &each;
-    return nullptr;
-}
-
 Value combined(const Operator& by, Value left, Value right)
 {
     if (!left) return {};
-    const bool logical = by.sign == "&&" || by.sign == "||";
-    if (logical && (*left != 0) == (by.sign == "||")) return *left != 0;
+    const bool logical = by.name == "&&" || by.name == "||";
+    if (logical && (*left != 0) == (by.name == "||")) return *left != 0;
     return right ? by.apply(*left, *right) : Value();
 }
 
 /// Reads by precedence climbing.
-class Evaluator {
-public:
-    Evaluator(const GlslToken* begin, const GlslToken* end) : at_(begin), end_(end) {}
+struct Evaluator {
+    const GlslToken* at;
+    const GlslToken* const end;
+    bool bad = false;
+    int nesting = 0;
 
     Value run()
     {
         const Value value = expression(1);
-        return bad_ || at_ != end_ ? Value() : value;
+        return bad || at != end ? Value() : value;
     }
 
-private:
     Value expression(int lowest)
     {
         Value left = operand();
-        while (!bad_ && at_ != end_) {
-            const Operator* by = findOperator(at_->text);
+        while (!bad && at != end) {
+            const Operator* by = findNamed(kOperators, at->text);
             if (!by || by->level < lowest) break;
-            ++at_;
+            ++at;
             left = combined(*by, left, expression(by->level + 1));
         }
         return left;
@@ -169,21 +163,21 @@ private:
 
     Value operand()
     {
-        if (at_ == end_ || bad_ || nesting_ == kMaxNesting) return fail();
-        const GlslToken& token = *at_++;
+        if (at == end || bad || nesting == kMaxNesting) return fail();
+        const GlslToken& token = *at++;
         if (token.kind == GlslToken::Kind::number) return number(token);
         if (token.kind == GlslToken::Kind::identifier) return {};
-        ++nesting_;
+        ++nesting;
         const Value value = token.is("(") ? parentheses() : prefixed(token.text);
-        --nesting_;
+        --nesting;
         return value;
     }
 
     Value parentheses()
     {
         const Value value = expression(1);
-        if (at_ == end_ || !at_->is(")")) return fail();
-        ++at_;
+        if (at == end || !at->is(")")) return fail();
+        ++at;
         return value;
     }
 
@@ -200,21 +194,16 @@ private:
     {
         std::string digits(token.text);
         if (digits.back() == 'u' || digits.back() == 'U') digits.pop_back();
-        char* end = nullptr;
-        const unsigned long long value = std::strtoull(digits.c_str(), &end, 0);
-        return digits.empty() || *end != '\0' ? fail() : wrapped(value);
+        char* rest = nullptr;
+        const unsigned long long value = std::strtoull(digits.c_str(), &rest, 0);
+        return digits.empty() || *rest != '\0' ? fail() : wrapped(value);
     }
 
     Value fail()
     {
-        bad_ = true;
+        bad = true;
         return {};
     }
-
-    const GlslToken* at_;
-    const GlslToken* end_;
-    bool bad_ = false;
-    int nesting_ = 0;
 };
 
 }  // namespace
@@ -229,7 +218,7 @@ std::string onOneLine(const std::string& value)
 
 std::optional<std::int64_t> evaluate(const GlslToken* begin, const GlslToken* end)
 {
-    return Evaluator(begin, end).run();
+    return Evaluator{begin, end}.run();
 }
 
 }  // namespace crevice
