@@ -147,18 +147,6 @@ void addInputs(const State& state, const Pass& pass, PlanPass& into, Plan& plan)
     }
 }
 
-void addUniforms(const State& state, const Pass& pass, PlanPass& into, Plan& plan)
-{
-    const Description& description = state.description;
-    for (PlanUniform uniform : pass.uniforms) {
-        if (uniform.source == UniformSource::param)
-            uniform.index = addParam(description.params[uniform.index], plan);
-        else if (uniform.source == UniformSource::kernel)
-            uniform.index = indexOf(plan.generated, description.generated[uniform.index].name);
-        into.uniforms.push_back(std::move(uniform));
-    }
-}
-
 // The mask is tested against, and stays. Where a constant stands in for it, all is drawn.
 void addMask(const Pass& pass, PlanPass& into)
 {
@@ -202,7 +190,14 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
     result.has_depth = pass.depth >= 0;
     if (result.has_depth) result.depth = attachment(state, pass, pass.depth, true, plan);
     addMask(pass, result);
-    addUniforms(state, pass, result, plan);
+    for (PlanUniform uniform : pass.uniforms) {
+        const Description& description = state.description;
+        if (uniform.source == UniformSource::param)
+            uniform.index = addParam(description.params[uniform.index], plan);
+        else if (uniform.source == UniformSource::kernel)
+            uniform.index = indexOf(plan.generated, description.generated[uniform.index].name);
+        result.uniforms.push_back(std::move(uniform));
+    }
     plan.passes.push_back(std::move(result));
 }
 

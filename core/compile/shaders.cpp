@@ -179,15 +179,6 @@ void checkMentioned(State& state, const Pass& pass, const Reference& name, const
            name, help);
 }
 
-void checkInputs(State& state, const Pass& pass)
-{
-    for (const InputDesc& input : pass.desc->inputs)
-        checkMentioned(state, pass, input, input.from, "renames input");
-    for (const PreservesConstantDesc& each : pass.desc->preserves_constant)
-        checkMentioned(state, pass, each.sampler, each.sampler,
-                       "preserves the constant of sampler");
-}
-
 void readPass(State& state, Pass& pass)
 {
     const Shader& shader = assembled(state, pass.shader);
@@ -200,7 +191,11 @@ void readPass(State& state, Pass& pass)
     for (const GlslStage* stage : {&shader.vertex, &shader.fragment})
         for (const GlslUniform& uniform : stage->uniforms)
             if (!isFull(state)) bindUniform(state, pass, uniform);
-    checkInputs(state, pass);
+    for (const InputDesc& input : pass.desc->inputs)
+        checkMentioned(state, pass, input, input.from, "renames input");
+    for (const PreservesConstantDesc& each : pass.desc->preserves_constant)
+        checkMentioned(state, pass, each.sampler, each.sampler,
+                       "preserves the constant of sampler");
     dropUnwritten(pass, shader.fragment);
     checkOutputs(state, pass, shader.fragment);
     checkLimits(state, pass, shader);

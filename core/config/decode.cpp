@@ -29,14 +29,6 @@ const Node* childAt(const Node& parent, const std::string& key, std::size_t& ind
     return nullptr;
 }
 
-// What such a section declares is not there, and all that refers to it would be reported.
-bool hasMisspeltSection(const Node& document, const Report& report)
-{
-    return anyOf(document.members, [&](const Member& each) {
-        return each.value.kind == Node::Kind::object && report.errorAt("/" + each.key);
-    });
-}
-
 void noteDeleted(const Node& document, Description& description)
 {
     for (const Member& each : document.deleted) {
@@ -126,18 +118,6 @@ void readValue(const Node& document, const Description& description, const Featu
     setting.value[0] = static_cast<float>(index);
 }
 
-// Whether all levels together may set so much.
-bool fits(const FeatureDesc& feature, std::size_t names, Report& report)
-{
-    if (feature.sets.size() * names <= kMaxSettings) return true;
-    report.at(referenceTo(feature), Code::over_limit,
-              "feature '" + feature.name + "' has " + std::to_string(feature.sets.size()) +
-                  " words that set " + std::to_string(names) + " values, more than " +
-                  std::to_string(kMaxSettings) + " together",
-              "let it set less, or have fewer words");
-    return false;
-}
-
 // Gives every word of the feature a value of what one of them sets.
 void complete(const Description& description, FeatureDesc& feature, const Setting& first)
 {
@@ -174,7 +154,14 @@ void readLevels(const Node& document, Description& description, Report& report)
         for (const std::string& word : feature.values)
             if (!findNamed(feature.sets, word))
                 feature.sets.push_back({{word, feature.place, feature.pointer}, {}});
-        if (!fits(feature, names.size(), report)) continue;
+        if (feature.sets.size() * names.size() > kMaxSettings) {
+            report.at(referenceTo(feature), Code::over_limit,
+                      "feature '" + feature.name + "' has " + std::to_string(feature.sets.size()) +
+                          " words that set " + std::to_string(names.size()) +
+                          " values, more than " + std::to_string(kMaxSettings) + " together",
+                      "let it set less, or have fewer words");
+            continue;
+        }
         for (const auto& [name, first] : names) {
             complete(description, feature, first);
             const auto [setter, fresh] = setters.emplace(name, feature.name);
@@ -343,7 +330,11 @@ Result<Description> decode(const Node& document, const SourceSet& sources, const
     checkNames(description, report);
     readLevels(document, description, report);
     std::set<std::string> referred;
-    if (!hasMisspeltSection(document, report)) {
+    // What a misspelt section declares is not there, and all that refers to it would be reported.
+    const auto misspelt = [&](const Member& each) {
+        return each.value.kind == Node::Kind::object && report.errorAt("/" + each.key);
+    };
+    if (!anyOf(document.members, misspelt)) {
         referred = checkReferences(document, description, report);
         readShaderFiles(description, report);
     }

@@ -66,14 +66,6 @@ std::string nameOf(const LoadedFile& file)
     return name;
 }
 
-Member reasonOf(const LoadedFile& file, const LoadedFile& by)
-{
-    return {nameOf(file), by.place,
-            textNode("it needs '" + joined(file.needs, "', '") + "', which '" + nameOf(by) +
-                         "' takes the place of",
-                     by.place)};
-}
-
 // What files declare that are not left out. Before `last`, what a file says of a name of a left out
 // file that it extends is a change of that one's, also where it reads as a declaration.
 Names declaredByOthers(const std::vector<LoadedFile>& files, const std::vector<bool>& out,
@@ -173,7 +165,9 @@ Removal leaveOutReplaced(std::vector<LoadedFile>& files)
         out[i] = by != nullptr;
         if (!by) continue;
         collectNames(files[i].body, true, left_out.names);
-        left_out.files.push_back(reasonOf(files[i], *by));
+        const std::string reason = "it needs '" + joined(files[i].needs, "', '") + "', which '" +
+                                   nameOf(*by) + "' takes the place of";
+        left_out.files.push_back({nameOf(files[i]), by->place, textNode(reason, by->place)});
         last = std::max(last, static_cast<std::size_t>(by - files.data()));
     }
     if (left_out.files.empty()) return left_out;

@@ -94,10 +94,6 @@ void preprocess(const std::map<std::string, SourceRef>& files,
 /// Where a token stands; nowhere when it comes from no file.
 Place placeOf(const GlslToken& token, const std::vector<SourceRef>& files);
 
-/// Appends the uniforms and outputs that `unit` declares at its outermost level to `stage`, and
-/// what is wrong with them to `unit.errors`: array sizes and locations that cannot be read.
-void scanDeclarations(GlslUnit& unit, GlslStage& stage);
-
 /// Reads an #include line of `source`. False when it is malformed.
 bool readInclude(const GlslLine& line, const SourceRef& source, GlslInclude& include);
 

@@ -55,6 +55,8 @@ struct Qualifiers {
     int location = -1;
 };
 
+// Appends the uniforms and outputs that `unit` declares at its outermost level to `stage`, and
+// what is wrong with them to `unit.errors`: array sizes and locations that cannot be read.
 struct Scanner {
     GlslUnit& unit;
     GlslStage& stage;
@@ -267,7 +269,7 @@ Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
     GlslUnit unit{defines};
     GlslStage stage;
     preprocess(files, interfaces, path, unit);
-    if (!hasErrors(unit.errors)) scanDeclarations(unit, stage);
+    if (!hasErrors(unit.errors)) Scanner{unit, stage}.run();
     if (hasErrors(unit.errors)) return std::move(unit.errors);
     stage.defines_used = usedDefines(defines, unit);
     stage.text = "#version " + unit.version + "\n";
@@ -293,7 +295,5 @@ bool dropOutput(GlslStage& stage, const std::string& name)
     }
     return false;
 }
-
-void scanDeclarations(GlslUnit& unit, GlslStage& stage) { Scanner{unit, stage}.run(); }
 
 }  // namespace crevice

@@ -273,7 +273,12 @@ void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
     values_.setViewport(pass.info.extent);
     PassInfo info = pass.info;
     info.within_area = pass.plan->scissor;
-    if (pass.plan->scissor) info.area = areaOf(pass);
+    if (pass.plan->scissor) {
+        const int length = pass.plan->cull_below_pixel;
+        constexpr double kAny = std::numeric_limits<double>::infinity();
+        const double least = length >= 0 ? values_.param(length) : kAny;
+        info.area = pixelsOf(view_draws_.area(info.extent, least), info.extent);
+    }
     device_.beginPass(info);
     if (!pass.plan->scissor || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
         device_.setProgram(pass.program, pass.state);
@@ -345,15 +350,6 @@ bool Execution::updateDraws(const Frame& frame)
     drawn_.elided = drawn_.elided || !isFinite(frame.ambient_light) ||
                     !allOf(frame.lights, [](const Light& light) { return isFinite(light); });
     return changed;
-}
-
-/// Where a bounded pass is drawn.
-PixelArea Execution::areaOf(const PreparedPass& pass)
-{
-    const Extent& extent = pass.info.extent;
-    const int length = pass.plan->cull_below_pixel;
-    constexpr double kAny = std::numeric_limits<double>::infinity();
-    return pixelsOf(view_draws_.area(extent, length >= 0 ? values_.param(length) : kAny), extent);
 }
 
 void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)

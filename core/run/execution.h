@@ -109,7 +109,6 @@ private:
     Execution(Device& device, Plan plan) : device_(device), plan_(std::move(plan)) {}
 
     // execution_build.cpp
-    Status build(const Execution* previous);
     Status createTextures();
     Status createGenerated();
     Status createPrograms(const Execution* previous);
@@ -145,7 +144,6 @@ private:
 
     // execution.cpp, draws
     bool updateDraws(const Frame& frame);
-    PixelArea areaOf(const PreparedPass& pass);
     void runDraws(const PreparedPass& pass, const CameraMatrices& camera);
     void setDraw(const PreparedPass& pass, std::size_t draw, SentDraw& sent);
     void drawByHost(const PreparedPass& pass, const DrawItem& item);

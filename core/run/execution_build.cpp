@@ -38,18 +38,14 @@ PassInfo passInfo(const PlanPass& pass)
 Result<std::unique_ptr<Execution>> Execution::create(Device& device, Plan plan,
                                                      const Execution* previous)
 {
-    std::unique_ptr<Execution> execution(new Execution(device, std::move(plan)));
-    if (Status status = execution->build(previous); !status) return status.diagnostics();
-    return execution;
-}
-
-Status Execution::build(const Execution* previous)
-{
-    Status status = createTextures();
-    if (status) status = createGenerated();
-    if (status) status = createPrograms(previous);
-    for (int view = 0; status && view < plan_.views; ++view) status = createPasses(view);
-    return status;
+    std::unique_ptr<Execution> made(new Execution(device, std::move(plan)));
+    Status status = made->createTextures();
+    if (status) status = made->createGenerated();
+    if (status) status = made->createPrograms(previous);
+    for (int view = 0; status && view < made->plan_.views; ++view)
+        status = made->createPasses(view);
+    if (!status) return status.diagnostics();
+    return made;
 }
 
 Status Execution::createTextures()

@@ -81,20 +81,16 @@ ViewArea ViewDraws::area(const Extent& extent, double length)
     const double reach = pixelReach(camera_->clip_from_view, extent, length);
     for (const auto& [known, area] : reached_)
         if (known == reach) return area;
-    return reached_.emplace_back(reach, areaWithin(reach)).second;
-}
-
-ViewArea ViewDraws::areaWithin(double reach)
-{
     ViewArea area = kNoArea;
     const std::vector<PlacedDraw>& all = placed();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const ViewArea& own = areaOfDraw(i);
-        if (isBelowPixel(all[i].sphere, camera_->clip_from_view, reach)) continue;
-        area = united(area, own);
-        if (area.left <= 0 && area.bottom <= 0 && area.right >= 1 && area.top >= 1) return {};
+        if (!isBelowPixel(all[i].sphere, camera_->clip_from_view, reach)) area = united(area, own);
+        if (area.left > 0 || area.bottom > 0 || area.right < 1 || area.top < 1) continue;
+        area = {};
+        break;
     }
-    return area;
+    return reached_.emplace_back(reach, area).second;
 }
 
 /// Requires that those before it were asked for.
@@ -148,7 +144,15 @@ void DrawWarnings::look(const DrawItem& item, const ObjectInfo& mesh, const Mate
         if (maps_[i] && material.*kMaterialMaps[i].texture)
             warnOfLack(maps_[i], mesh, "uv, and its material's texture is read at (0, 0)",
                        "set HostMesh::uv, or give its material no texture");
-    if (blocks_) warnOfBlock(mesh);
+    if (!blocks_) return;
+    const PlanProgram& program = plan_.programs[blocks_->program];
+    const GlslUniform& block = *blockOf(program);
+    Diagnostic& made = warn(blocks_, Code::unfilled_block,
+                            "pass '" + blocks_->name + "' draws mesh '" + std::string(mesh.label) +
+                                "' with the uniform block '" + block.name +
+                                "', which only a host's own draw fills",
+                            "draw it by DrawItem::callback, and bind the block's buffer there");
+    blame(made, block.place, "in shader '" + program.label + "'");
 }
 
 void DrawWarnings::warnOfLack(Reader& reader, const ObjectInfo& mesh, const char* lacks,
@@ -158,18 +162,6 @@ void DrawWarnings::warnOfLack(Reader& reader, const ObjectInfo& mesh, const char
          "pass '" + reader->name + "' of '" + plan_.config + "' reads of mesh '" +
              std::string(mesh.label) + "' what it has none of: " + lacks,
          help);
-}
-
-void DrawWarnings::warnOfBlock(const ObjectInfo& mesh)
-{
-    const PlanProgram& program = plan_.programs[blocks_->program];
-    const GlslUniform& block = *blockOf(program);
-    Diagnostic& made = warn(blocks_, Code::unfilled_block,
-                            "pass '" + blocks_->name + "' draws mesh '" + std::string(mesh.label) +
-                                "' with the uniform block '" + block.name +
-                                "', which only a host's own draw fills",
-                            "draw it by DrawItem::callback, and bind the block's buffer there");
-    blame(made, block.place, "in shader '" + program.label + "'");
 }
 
 /// Of what `reader` reads, which is not told again.

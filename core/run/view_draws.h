@@ -56,7 +56,6 @@ public:
     ViewArea area(const Extent& extent, double length);
 
 private:
-    ViewArea areaWithin(double reach);
     const ViewArea& areaOfDraw(std::size_t draw);
 
     const DrawnList& drawn_;
@@ -95,7 +94,6 @@ private:
     using Reader = const PlanPass*;
 
     void warnOfLack(Reader& reader, const ObjectInfo& mesh, const char* lacks, const char* help);
-    void warnOfBlock(const ObjectInfo& mesh);
     Diagnostic& warn(Reader& reader, Code code, std::string message, const char* help);
 
     const Plan& plan_;

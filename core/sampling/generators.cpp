@@ -49,14 +49,6 @@ glm::dvec3 inBall(EvenPoints& points)
 /// Share of its random length that the first offset keeps [Chapman 2013].
 constexpr double kInnermost = 0.1;
 
-/// What the length of offset `index` of `count` is multiplied by.
-double lengthScale(std::string_view lengths, int index, int count)
-{
-    if (lengths == "even") return 1.0;
-    const double t = double(index) / count;
-    return kInnermost + (1.0 - kInnermost) * (lengths == "linear" ? t : t * t);
-}
-
 /// A point of the whole cube or on one of its rays, times `scale`.
 glm::dvec3 randomOffset(Stream& stream, bool on_ray, double scale)
 {
@@ -123,7 +115,10 @@ Result<std::vector<glm::vec3>> makeKernel(const GeneratorDesc& desc)
         {randomBits(desc.seed, 0), randomBits(desc.seed, 1), randomBits(desc.seed, 2)}};
     std::vector<glm::vec3> kernel;
     for (int i = 0; i < desc.count; ++i) {
-        const double scale = lengthScale(desc.lengths, i, desc.count);
+        const double t = double(i) / desc.count;
+        const double ramp =
+            kInnermost + (1.0 - kInnermost) * (desc.lengths == "linear" ? t : t * t);
+        const double scale = desc.lengths == "even" ? 1.0 : ramp;
         const glm::dvec3 offset = desc.shape == "ball"
                                       ? inBall(points) * scale
                                       : randomOffset(stream, desc.shape == "rays", scale);
