@@ -18,7 +18,7 @@ MAY_INCLUDE = {
 }
 # The layers of a library from the bottom up: a file may include its own layer and those before it.
 LAYERS = {
-    'core': 'base json glsl sampling gpu frame config plan compile run renderer'.split(),
+    'core': 'base json glsl gpu frame sampling config plan compile run renderer'.split(),
     'backends': 'gl context recording'.split(),
     'tools': 'render/image commands/cli render/glsl show/schema show/plan render/scene measure/reference render/device render '
              'measure/cost measure/motion measure measure/bench measure/stress show/report show/view show/page commands '
@@ -141,9 +141,9 @@ RULES = [
     ('nothing of GL is named outside backends', 'core effects tools',
      words(r'\b(?:(?:gl|egl|OSMesa|E?GL_)[A-Z]\w+|GL(?:u?int|enum|float|sizei|boolean|bitfield)|EGL[DC]\w+)\b'),
      NO_EXAMPLE, [('core/x.cpp', 'glClear(mask);'), ('core/x.cpp', 'int a = GL_RGBA8;'), ('core/x.h', 'GLuint name;')]),
-    ('numbers are read and written by core/base/numbers.h, which knows no locale', 'core backends effects tools',
+    ('numbers are read and written by core/base/text.h, which knows no locale', 'core backends effects tools',
      lambda source: re.findall(r'\b(?:strto(?:f|d|ld)|atof|sto(?:f|d|ld)|set(?:locale|precision))\s*\(|'
-                               r'\b[io]?stringstream\b|' + FLOAT_FORMAT, source.code), ('core/base/numbers.cpp', NO_EXAMPLE),
+                               r'\b[io]?stringstream\b|' + FLOAT_FORMAT, source.code), ('core/base/text.cpp', NO_EXAMPLE),
      [('core/x.cpp', 'snprintf(text, 9, "vec2(%.3e", x);'), ('core/x.cpp', 'std::stof(text)'),
       ('core/x.cpp', 'sscanf(text, "%d %lf", &n, &x);'), ('core/x.cpp', 'std::ostringstream out;')]),
     ('text is printed by tools/commands/cli/output.h, which keeps control characters off the terminal',
@@ -152,7 +152,7 @@ RULES = [
      [('tools/x.cpp', 'std::printf(x);'), ('tools/x.cpp', 'std::cout << x;')]),
     ('files are opened where pipes, devices and endless files are refused', 'core backends effects tools',
      words(r'\b(?:[io]?fstream|fopen|freopen|fdopen)\b'),
-     ('core/base/files.cpp', 'tools/render/image/image_file.cpp', 'tools/measure/line_file.cpp'),
+     ('core/base/source.cpp', 'tools/render/image/image_file.cpp', 'tools/measure/line_file.cpp'),
      [('tools/x.cpp', 'std::ifstream file(path);')]),
     ('no library names a config', 'core backends effects',
      lambda source: [each for each in configs if '"%s"' % each in source.code or each + '.json' in source.code], (),

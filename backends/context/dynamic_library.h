@@ -2,7 +2,7 @@
 // A shared library opened at run time.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 // The table of GL functions, loaded from the current context, and the names of what they report.
 #pragma once
 
+#include <crevice/diagnostic.h>
 #include <crevice/gl_device.h>
-#include <crevice/result.h>
 
 #define GL_GLES_PROTOTYPES 0  // types and constants only: nothing here can be linked by accident
 #include <GLES3/gl32.h>

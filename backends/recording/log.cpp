@@ -2,7 +2,7 @@
 // The recording device's log as text; nothing is formatted before somebody asks for it.
 #include <crevice/recording_device.h>
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cstring>

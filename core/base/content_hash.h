@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hash over content, for keys that must be the same on every machine and in every run. No one
-// attacks it.
+// A hash over content, for keys that are the same on every machine and run. No one attacks it.
 //
 // Source: Fowler et al. 1991, the 64-bit FNV-1a.
 #pragma once

@@ -4,11 +4,9 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace crevice {
-
 namespace {
 
 constexpr std::size_t kMaxExcerpt = 160;  // bytes of a source line; more wraps in any terminal
@@ -75,8 +73,7 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 
 // How far `candidate` is from what was written; above `limit` is not near. Less of a name and a
 // name with more behind it ("r8unorm" for "r8") or before it ("gl_r8") count as just near enough,
-// the last part of a path ("hemisphere" for "ssao/hemisphere", "views" for "camera.views") as one
-// letter off.
+// a path's end ("hemisphere" for "ssao/hemisphere", "views" for "camera.views") as one letter off.
 std::size_t nameDistance(std::string_view written, std::string_view candidate, std::size_t limit)
 {
     const bool bare = written.find_first_of("/.") == written.npos;
@@ -125,26 +122,11 @@ const char* severityName(Severity severity)
     return severity == Severity::error ? "error" : "warning";
 }
 
-std::string jsonDiagnostic(const Diagnostic& diagnostic)
-{
-    std::string notes;
-    for (const Note& note : diagnostic.notes) {
-        if (!notes.empty()) notes += ", ";
-        notes += "{" + jsonPlace(note.place) + ", \"text\": " + jsonString(note.text) + "}";
-    }
-    return "{\"code\": " + jsonString(codeName(diagnostic.code)) +
-           ", \"severity\": " + jsonString(severityName(diagnostic.severity)) +
-           ", \"message\": " + jsonString(diagnostic.message) + ", " + jsonPlace(diagnostic.place) +
-           ", \"pointer\": " + jsonString(diagnostic.pointer) + ", \"notes\": [" + notes +
-           "], \"help\": " + jsonString(diagnostic.help) + "}";
-}
-
 }  // namespace
 
 bool hasErrors(const Diagnostics& diagnostics)
 {
-    return std::any_of(diagnostics.begin(), diagnostics.end(),
-                       [](const Diagnostic& d) { return d.severity == Severity::error; });
+    return anyOf(diagnostics, [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
 void cutShort(Diagnostics& diagnostics)
@@ -216,9 +198,16 @@ std::string toText(const Diagnostics& diagnostics)
 std::string toJson(const Diagnostics& diagnostics)
 {
     std::string out = "[";
-    for (const Diagnostic& diagnostic : diagnostics) {
-        if (out.size() > 1) out += ",";
-        out += "\n  " + jsonDiagnostic(diagnostic);
+    for (const Diagnostic& each : diagnostics) {
+        std::string notes;
+        for (const Note& note : each.notes)
+            notes += (notes.empty() ? "{" : ", {") + jsonPlace(note.place) +
+                     ", \"text\": " + jsonString(note.text) + "}";
+        out += (out.size() > 1 ? "," : "") + ("\n  {\"code\": " + jsonString(codeName(each.code))) +
+               ", \"severity\": " + jsonString(severityName(each.severity)) +
+               ", \"message\": " + jsonString(each.message) + ", " + jsonPlace(each.place) +
+               ", \"pointer\": " + jsonString(each.pointer) + ", \"notes\": [" + notes +
+               "], \"help\": " + jsonString(each.help) + "}";
     }
     return out + (diagnostics.empty() ? "]\n" : "\n]\n");
 }

@@ -2,13 +2,9 @@
 // Files on disk: reading them, and which of them a config may name.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
-#include <cstddef>
 #include <limits>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace crevice {
 
@@ -38,8 +34,7 @@ std::vector<std::string> filesBelow(const std::string& folder,
                                     int most = std::numeric_limits<int>::max());
 
 /// Regular files in the folder of `path` and in those right below it whose names end in `ending`,
-/// for a suggestion: few where there are many. Each is named from where `written` is, which is how
-/// somebody wrote `path`.
+/// for a suggestion: few of many. Each is named from where `written` is, as somebody wrote `path`.
 std::vector<std::string> filesBeside(const std::string& path, const std::string& written,
                                      std::string_view ending);
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The sets of texts: in memory, in a folder, in layers; and paths between them.
+// The sets of texts: in memory, in a folder, in layers; paths between them, and regular files.
 #include <crevice/source.h>
 
 #include "core/base/files.h"
 #include "core/base/text.h"
 
-#include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <fstream>
 #include <set>
+#include <system_error>
 
 namespace crevice {
 
@@ -21,6 +23,33 @@ bool isInside(std::string_view path)
     for (const std::string_view part : split(path, '/'))
         if (part.empty() || part == "." || part == "..") return false;
     return true;
+}
+
+// Where a path leads. What cannot be resolved cannot be opened either.
+fs::path resolved(const std::string& path)
+{
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error);
+    const fs::path canonical = fs::weakly_canonical(whole, error);
+    return error ? whole.lexically_normal() : canonical;
+}
+
+// Where `by` looks for the files that it names.
+std::string folderOf(const SourceText& by)
+{
+    const fs::path folder = fs::path(locationOf(by)).parent_path();
+    return folder.empty() ? "." : folder.string();
+}
+
+Diagnostic outside(const std::string& path, const std::vector<std::string>& folders)
+{
+    std::set<std::string> shown;
+    for (const std::string& folder : folders) shown.insert("'" + resolved(folder).string() + "'");
+    return {
+        Code::module_escape,
+        "the file '" + path + "' lies outside of " + joined({shown.begin(), shown.end()}, " and "),
+        "a config reads files below its own folder alone; --root FOLDER, or LoadRequest::roots "
+        "in a program, allows another folder"};
 }
 
 }  // namespace
@@ -116,6 +145,115 @@ std::vector<std::string> DirectorySources::list() const
         filesBelow(root_, {".json", ".glsl", ".vert", ".frag", ".comp"});
     std::sort(paths.begin(), paths.end());
     return paths;
+}
+
+FileBytes readBytes(const std::string& path, std::size_t limit)
+{
+    std::error_code unknown;  // no regular file, or none: readStart says which
+    const std::uintmax_t size = fs::file_size(path, unknown);
+    if (unknown || size <= limit) {  // files of /proc have the size 0
+        FileBytes result = readStart(path, limit + 1);
+        if (result.bytes.size() <= limit) return result;
+    }
+    return {{}, "it has more than " + std::to_string(limit) + " bytes"};
+}
+
+FileBytes readStart(const std::string& path, std::size_t count)
+{
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) return {{}, "it does not exist", true};
+    if (!fs::status_known(status)) return {{}, error.message()};
+    if (fs::is_directory(status)) return {{}, "it is a folder"};
+    if (!fs::is_regular_file(status)) return {{}, "it is no regular file"};
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {{}, std::generic_category().message(errno)};
+    FileBytes result;
+    char buffer[1 << 14];
+    while (file && result.bytes.size() < count) {
+        file.read(buffer, std::min(sizeof(buffer), count - result.bytes.size()));
+        result.bytes.append(buffer, static_cast<std::size_t>(file.gcount()));
+    }
+    if (file.bad()) result.failure = std::generic_category().message(errno);
+    return result;
+}
+
+std::string absenceOf(const std::string& path)
+{
+    const FileBytes file = readStart(path, 0);
+    return file.missing ? "does not exist" : "cannot be read: " + file.failure;
+}
+
+std::vector<std::string> filesBelow(const std::string& folder,
+                                    const std::vector<std::string_view>& endings, int depth,
+                                    int most)
+{
+    std::vector<std::string> files;
+    std::error_code error;
+    const auto options = fs::directory_options::skip_permission_denied;
+    fs::recursive_directory_iterator at(folder, options, error);
+    for (int seen = 0; !error && at != fs::end(at) && seen < most; ++seen) {
+        if (at.depth() == depth) at.disable_recursion_pending();
+        const std::string path = at->path().lexically_relative(folder).generic_string();
+        const auto ends = [&path](std::string_view ending) { return endsWith(path, ending); };
+        std::error_code unreadable;  // an entry that cannot be looked at is left out
+        if (std::any_of(endings.begin(), endings.end(), ends) && at->is_regular_file(unreadable))
+            files.push_back(path);
+        at.increment(error);
+    }
+    return files;
+}
+
+std::vector<std::string> filesBeside(const std::string& path, const std::string& written,
+                                     std::string_view ending)
+{
+    constexpr int kMaxSeen = 4096;  // a home folder may hold millions
+    const fs::path folder = fs::path(path).parent_path();
+    std::vector<std::string> files =
+        filesBelow(folder.empty() ? "." : folder.string(), {ending}, 1, kMaxSeen);
+    for (std::string& each : files) each = (fs::path(written).parent_path() / each).string();
+    return files;
+}
+
+bool isBelow(const std::string& path, const std::vector<std::string>& folders)
+{
+    if (path.find('\0') != std::string::npos)
+        return false;  // the system would read less of it than is checked
+    const fs::path file = resolved(path);
+    return std::any_of(folders.begin(), folders.end(), [&file](const std::string& folder) {
+        if (folder.empty()) return false;
+        const fs::path below = file.lexically_relative(resolved(folder));
+        return !below.empty() && *below.begin() != "..";
+    });
+}
+
+std::string slashed(const SourceText& by, std::string_view name)
+{
+    std::string path;
+    for (const char c : name) {
+        const std::size_t letter = std::string_view("\b\f\n\r\t").find(c);
+        const bool escape = letter != std::string_view::npos;
+        path += escape || c == '\\' ? '/' : c;
+        if (escape) path += "bfnrt"[letter];
+    }
+    if (path == name) return {};
+    if (!isOnDisk(path)) path = "./" + path;
+    const Result<SourceRef> found = openNamed(by, resolvePath(locationOf(by), path));
+    return "paths have '/'" + (found && *found ? ": write '" + path + "'" : "");
+}
+
+Status mayName(const SourceText& by, const std::string& path)
+{
+    const std::vector<std::string> folders =
+        by.roots ? *by.roots : std::vector<std::string>{folderOf(by)};
+    if (!isBelow(path, folders)) return outside(path, folders);
+    return {};
+}
+
+Result<SourceRef> openNamed(const SourceText& by, const std::string& path)
+{
+    if (const Status allowed = mayName(by, path); !allowed) return allowed.diagnostics();
+    return readFile(path, by.roots);
 }
 
 }  // namespace crevice

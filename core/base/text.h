@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Small helpers for text that messages and documents share.
+// Small helpers for text, numbers and lists that messages and documents share.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,12 +71,55 @@ std::string printableLine(std::string_view text);
 /// `text` as a JSON string in double quotes, printable. Bytes that are not UTF-8 become U+FFFD.
 std::string jsonString(std::string_view text);
 
-/// The RFC 6901 pointer of the member `key` of what `parent` points at: ("/passes", "a/b") gives
-/// "/passes/a~1b".
+/// The RFC 6901 pointer of a member: "/passes" and "a/b" give "/passes/a~1b".
 std::string memberPointer(std::string_view parent, std::string_view key);
 
-/// The keys of an RFC 6901 pointer: "/passes/a~1b" gives "passes" and "a/b". Requires one that is
-/// empty or begins with '/'.
+/// The keys of an RFC 6901 pointer, empty or with a '/' first: "/passes/a~1b" has "passes", "a/b".
 std::vector<std::string> pointerKeys(std::string_view pointer);
+
+// Numbers to text and back, whatever the locale is. The only place that does so: printf, strtod and
+// streams write and read a decimal comma once the host has called setlocale, as every Qt and GTK
+// program does, and libc++ 13 (Emscripten, iOS, Android) has no <charconv> of floats. What is not
+// finite becomes "nan", "inf" or "-inf".
+
+/// The fewest digits that read back as the same number, of a power of two at most one more: "0.5".
+std::string shortest(float value);
+std::string shortest(double value);
+
+/// With that many decimals, as printf's %.3f: "0.500".
+std::string fixed(double value, int decimals);
+
+/// With at most that many digits and no zeros at the end, as printf's %.4g: "0.5", "1.235e-07".
+std::string significant(double value, int digits);
+
+/// With that many decimals and an exponent, as printf's %.3e: "5.000e-01".
+std::string scientific(double value, int decimals);
+
+/// The number that `text` begins with, which is then cut off it: "90s" gives 90 and leaves "s".
+/// Spaces before it are skipped; one too large for a double is infinite. Nothing where none is.
+std::optional<double> takeNumber(std::string_view& text);
+
+/// The number that the whole of `text` is: "0.5", "-1e3", "inf".
+std::optional<double> parseNumber(std::string_view text);
+
+// Questions to a whole list: a vector, an array, a map.
+
+template <class List, class Test>
+bool anyOf(const List& list, Test test)
+{
+    return std::any_of(std::begin(list), std::end(list), test);
+}
+
+template <class List, class Test>
+bool allOf(const List& list, Test test)
+{
+    return std::all_of(std::begin(list), std::end(list), test);
+}
+
+template <class List, class Test>
+void eraseIf(List& list, Test test)
+{
+    list.erase(std::remove_if(list.begin(), list.end(), test), list.end());
+}
 
 }  // namespace crevice

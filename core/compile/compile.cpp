@@ -2,16 +2,13 @@
 // Compiling: the steps in their order, and what they share.
 #include "core/compile/steps.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
-#include <algorithm>
 #include <tuple>
 
 namespace crevice {
 
 namespace compiler {
-
 namespace {
 
 State begin(const Description& description, const SceneTraits& traits, const DeviceCaps& caps,
@@ -20,21 +17,15 @@ State begin(const Description& description, const SceneTraits& traits, const Dev
     State state{description, traits, caps, options};
     state.shaders.resize(description.shaders.size());
     state.targets.resize(description.targets.size());
-    std::map<std::string_view, int> targets;
-    for (const TargetDesc& each : description.targets)
-        targets.emplace(each.name, static_cast<int>(targets.size()));
-    const auto target = [&targets](const std::string& name) {
-        const auto found = targets.find(name);
-        return found == targets.end() ? -1 : found->second;
-    };
+    const auto target = [&](const Reference& to) { return indexOf(description.targets, to.name); };
     for (std::size_t i = 0; i < state.targets.size(); ++i)
-        state.targets[i].followed = target(description.targets[i].size.of.name);
+        state.targets[i].followed = target(description.targets[i].size.of);
     for (const PassDesc& desc : description.passes) {
         Pass pass;
         pass.desc = &desc;
         pass.shader = indexOf(description.shaders, desc.shader.name);
-        for (const Reference& color : desc.color) pass.color.push_back(target(color.name));
-        pass.depth = target(desc.depth.name);
+        for (const Reference& color : desc.color) pass.color.push_back(target(color));
+        pass.depth = target(desc.depth);
         state.passes.push_back(std::move(pass));
     }
     return state;
@@ -99,8 +90,7 @@ void dropRepeats(State& state)
 {
     const auto in_glsl = [&](const Place& place) {
         const auto& files = state.description.files;
-        return std::any_of(files.begin(), files.end(),
-                           [&](const auto& file) { return file.second == place.source; });
+        return anyOf(files, [&](const auto& file) { return file.second == place.source; });
     };
     std::set<std::tuple<Code, SourceRef, int, int>> reported;
     Diagnostics kept;

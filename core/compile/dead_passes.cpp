@@ -3,15 +3,10 @@
 // those that no output needs. What stands in for passes is chosen here too.
 #include "core/compile/steps.h"
 
-#include "core/base/numbers.h"
-#include "core/base/text.h"
 #include "core/config/values.h"
-#include "core/frame/frame_values.h"
-
-#include <algorithm>
+#include "core/frame/frame_math.h"
 
 namespace crevice::compiler {
-
 namespace {
 
 Source targetNamed(const State& state, const std::string& name)
@@ -26,33 +21,22 @@ std::optional<Source> readBy(const Pass& pass, const std::string& sampler)
     return read ? std::optional<Source>(read->named) : std::nullopt;
 }
 
-// What the pass says its output is while it does not run: by `bypass` when inactive, by `no_op` or
-// `preserves_constant` when left out.
+// What a pass that does not run says its output is: by `bypass`, `no_op` or `preserves_constant`.
 std::optional<Source> substitute(const State& state, const Pass& pass, int target)
 {
     const std::string& name = nameOf(state, target);
     if (!pass.active) {
-        for (const BypassDesc& bypass : pass.desc->bypass)
-            if (bypass.output.name == name) return targetNamed(state, bypass.input.name);
-        return std::nullopt;
+        const BypassDesc* bypass = findNamed(pass.desc->bypass, name);
+        return bypass ? targetNamed(state, bypass->input.name) : std::optional<Source>();
     }
     if (!pass.no_op) {
-        for (const PreservesConstantDesc& each : pass.desc->preserves_constant)
-            if (each.output.name == name) return readBy(pass, each.sampler.name);
-        return std::nullopt;
+        const PreservesConstantDesc* kept = findNamed(pass.desc->preserves_constant, name);
+        return kept ? readBy(pass, kept->sampler.name) : std::nullopt;
     }
-    for (const NoOpDesc::Gives& gives : pass.no_op->gives) {
-        if (gives.output.name != name) continue;
-        if (gives.constant) return Source{InputKind::constant, -1, gives.value};
-        return targetNamed(state, gives.input.name);
-    }
-    return std::nullopt;
-}
-
-bool holds(const Description& description, const NoOpDesc& no_op)
-{
-    const ParamDesc* param = findNamed(description.params, no_op.param.name);
-    return param && isAll(param->value, param->type, no_op.at);
+    const NoOpDesc::Gives* gives = findNamed(pass.no_op->gives, name);
+    if (!gives) return std::nullopt;
+    if (gives->constant) return Source{InputKind::constant, -1, gives->value};
+    return targetNamed(state, gives->input.name);
 }
 
 // Whether a texture of `by` reads as one of `replaced` would that a pass has copied it into.
@@ -68,8 +52,8 @@ bool storedAlike(const State& state, int replaced, int by)
 // Whether each target that the no-op gives for another one is stored as that is.
 bool givesAlike(const State& state, const NoOpDesc& no_op)
 {
-    return std::all_of(no_op.gives.begin(), no_op.gives.end(), [&](const NoOpDesc::Gives& each) {
-        const int replaced = indexOf(state.description.targets, each.output.name);
+    return allOf(no_op.gives, [&](const NoOpDesc::Gives& each) {
+        const int replaced = indexOf(state.description.targets, each.name);
         const int by = indexOf(state.description.targets, each.input.name);
         return each.constant || replaced < 0 || by < 0 || storedAlike(state, replaced, by);
     });
@@ -80,8 +64,11 @@ const NoOpDesc* nextNoOp(const State& state, const Pass& pass)
 {
     const std::vector<NoOpDesc>& all = pass.desc->no_op;
     std::size_t i = pass.no_op ? pass.no_op - all.data() + 1 : 0;
-    for (; i < all.size(); ++i)
-        if (holds(state.description, all[i]) && givesAlike(state, all[i])) return &all[i];
+    for (; i < all.size(); ++i) {
+        const ParamDesc* param = findNamed(state.description.params, all[i].name);
+        const bool holds = param && isAll(param->value, param->type, all[i].at);
+        if (holds && givesAlike(state, all[i])) return &all[i];
+    }
     return nullptr;
 }
 
@@ -93,7 +80,7 @@ bool preservesConstant(const State& state, const Pass& pass)
         return behind && behind->kind == InputKind::constant;
     };
     const std::vector<PreservesConstantDesc>& all = pass.desc->preserves_constant;
-    return !all.empty() && std::all_of(all.begin(), all.end(), constant);
+    return !all.empty() && allOf(all, constant);
 }
 
 // Leaves out what only passes constants on, in the order of data flow: one may hang on another.
@@ -149,20 +136,12 @@ std::string valueOf(const State& state, const std::string& subject)
     return feature ? feature->values[feature->value] : "unknown";
 }
 
-bool termHolds(const State& state, const Condition::Term& term)
+bool termHolds(const State& state, const Condition& term)
 {
-    const std::string value = valueOf(state, term.subject.name);
-    const TraitInfo* trait = findNamed(kTraits, term.subject.name);
+    const std::string value = valueOf(state, term.name);
+    const TraitInfo* trait = findNamed(kTraits, term.name);
     return contains(term.values, value) ||
            (trait && trait->count && contains(term.values, boolText(value != "0")));
-}
-
-// "it needs scene.lights true, and scene.lights is 0".
-std::string whyNot(const State& state, const Condition::Term& term)
-{
-    const std::string& subject = term.subject.name;
-    return "it needs " + subject + " " + joined(term.values, " or ") + ", and " + subject + " is " +
-           valueOf(state, subject);
 }
 
 // "ao is 1 everywhere, and so is ao_blur".
@@ -170,10 +149,10 @@ std::string constantReason(const State& state, const Pass& pass)
 {
     std::string reason;
     for (const PreservesConstantDesc& each : pass.desc->preserves_constant) {
-        const int output = indexOf(state.description.targets, each.output.name);
+        const int output = indexOf(state.description.targets, each.name);
         reason += (reason.empty() ? "" : "; ") + each.sampler.name + " is " +
                   shortest(resolveTarget(state, output)->value) + " everywhere, and so is " +
-                  each.output.name;
+                  each.name;
     }
     return reason;
 }
@@ -183,9 +162,9 @@ std::string substituteReason(const Pass& pass)
 {
     std::string given;
     for (const NoOpDesc::Gives& gives : pass.no_op->gives)
-        given += (given.empty() ? "" : ", ") + gives.output.name + " is " +
+        given += (given.empty() ? "" : ", ") + gives.name + " is " +
                  (gives.constant ? shortest(gives.value) : gives.input.name);
-    return pass.no_op->param.name + " is " + shortest(pass.no_op->at) + ", so " + given;
+    return pass.no_op->name + " is " + shortest(pass.no_op->at) + ", so " + given;
 }
 
 void addElided(const State& state, const Pass& pass, std::vector<Elided>& elided)
@@ -270,8 +249,7 @@ void chooseLive(State& state)
 void lintDeadPasses(State& state)
 {
     // Where something was asked for, or something stands in, that is what leaves passes out.
-    const bool reduced = std::any_of(state.passes.begin(), state.passes.end(),
-                                     [](const Pass& pass) { return pass.replaced(); });
+    const bool reduced = anyOf(state.passes, [](const Pass& pass) { return pass.replaced(); });
     if (reduced || !state.options.outputs.empty() || hasErrors(state.diagnostics)) return;
     for (const Pass& pass : state.passes)
         if (pass.active && !pass.live)
@@ -283,14 +261,13 @@ void lintDeadPasses(State& state)
 
 void decideConditions(State& state)
 {
-    for (Pass& pass : state.passes) {
-        for (const Condition::Term& term : pass.desc->when.terms) {
-            if (termHolds(state, term)) continue;
-            pass.active = false;
-            pass.off_reason = whyNot(state, term);
-            break;
+    for (Pass& pass : state.passes)
+        for (const Condition& term : pass.desc->when) {
+            if (!pass.active || termHolds(state, term)) continue;
+            pass.active = false;  // "it needs scene.lights true, and scene.lights is 0"
+            pass.off_reason = "it needs " + term.name + " " + joined(term.values, " or ") +
+                              ", and " + term.name + " is " + valueOf(state, term.name);
         }
-    }
 }
 
 std::vector<Elided> elided(const State& state)

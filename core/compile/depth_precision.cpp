@@ -2,7 +2,8 @@
 // The closed forms behind the choice of formats.
 #include "core/compile/depth_precision.h"
 
-#include <algorithm>
+#include "core/base/text.h"
+
 #include <cfloat>
 #include <cmath>
 #include <limits>
@@ -61,7 +62,7 @@ bool readLinearly(const Description& description, const TargetDesc& target)
     for (const PassDesc& pass : description.passes)
         for (const InputDesc& input : pass.inputs)
             if (input.has_filter && input.filter == Filter::linear &&
-                (input.from.empty() ? input.sampler : input.from).name == target.name)
+                (input.from.empty() ? input : input.from).name == target.name)
                 return true;
     return false;
 }
@@ -70,10 +71,9 @@ bool readLinearly(const Description& description, const TargetDesc& target)
 
 StoredSurface storedSurface(const Description& description, const TargetDesc& target, Format format)
 {
-    const bool drawn = std::any_of(
-        description.passes.begin(), description.passes.end(), [&](const PassDesc& pass) {
-            return pass.type == PassType::draw && pass.depth.name == target.name;
-        });
+    const bool drawn = anyOf(description.passes, [&](const PassDesc& pass) {
+        return pass.type == PassType::draw && pass.depth.name == target.name;
+    });
     return {target.semantic, format, drawn, false};
 }
 

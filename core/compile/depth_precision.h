@@ -5,13 +5,10 @@
 //
 // Window depth is straight in 1 / distance: a step s of it is z^2 (1/near - 1/far) s at distance z
 // of a perspective camera, off-centre or not, reversed or not, and (far - near) s of an
-// orthographic one. Floats that are stored as they are have steps of 2^floor(log2 z) times that
-// of 1.
+// orthographic one. Floats stored as they are have steps of 2^floor(log2 z) times that of 1.
 #pragma once
 
 #include <crevice/config.h>
-#include <crevice/device.h>
-#include <crevice/frame.h>
 
 namespace crevice {
 
@@ -32,8 +29,7 @@ constexpr double kUnseenMarched = 0.0006;
 constexpr double kUnseenProbed = 0.01;
 
 /// Of what a kernel all round the point is compared with. Its offsets lie on both sides of the
-/// surface itself, and a step decides all those within it: of a ball 3/4 * 0.0027 = 0.002, not the
-/// square of an angle.
+/// surface, and a step decides all within it: of a ball 3/4 * 0.0027 = 0.002, no squared angle.
 constexpr double kUnseenAround = 0.0027;
 
 /// Of the depth test alone, which confuses surfaces that lie no farther apart, next to where they
@@ -44,8 +40,7 @@ constexpr double kUnseenHidden = 0.02;
 /// Where a radius covers fewer pixels, estimators fade: nothing is asked of a format there.
 constexpr double kLeastRadiusPixels = 2.0;
 
-/// Steps of window depth below this are lost before a texture keeps them: a rasteriser makes window
-/// depth of -1..1 in single float.
+/// Smaller steps are lost before a texture keeps them: a rasteriser makes depth of -1..1 in floats.
 constexpr double kDrawnDepthStep = 1.0 / (1 << 24);
 
 /// As little of that counts for the depth test. Where a texture holds finer steps, next to 0, only
@@ -58,8 +53,7 @@ struct StoredSurface {
     /// Of a colour format; a depth format holds window depth.
     Semantic semantic = Semantic::other;
     Format format = Format::none;
-    /// Window depth that a rasteriser made, rather than a shader, or a host that may clip at depth
-    /// 0.
+    /// Window depth that a rasteriser made, not a shader, nor a host that may clip at depth 0.
     bool drawn = true;
     /// Looked at by the depth test alone: nothing reads it.
     bool hidden = false;
@@ -78,8 +72,7 @@ struct PrecisionNeed {
 /// What a radius asks: a tenth of it, up to the far plane or to where it covers two pixels.
 PrecisionNeed precisionNeed(const SceneTraits& traits, double radius, int height);
 
-/// The param that formats have to resolve: of those that are a length, the one of the least value.
-/// Null where there is none.
+/// The param that formats have to resolve: of the lengths the one of the least value, or null.
 const ParamDesc* resolvedLength(const Description& description);
 
 /// The need of a config at the present value of that; none where there is none.
@@ -92,8 +85,7 @@ double formatStep(Format format, double value);
 /// what is stored is no surface. In an orthographic view the distance counts from the near plane.
 double viewStep(const SceneTraits& traits, const StoredSurface& stored, double distance);
 
-/// The distance up to which the need is met: `need.distance` where it is met in full, 0 where
-/// nowhere.
+/// The distance up to which the need is met: `need.distance` where in full, 0 where nowhere.
 double resolvedDistance(const SceneTraits& traits, const StoredSurface& stored,
                         const PrecisionNeed& need);
 

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Formats by how finely they store what surfaces are found by, with a warning where none serves;
-// and whether the device and the passes can do with them.
+// Formats by how finely they store surfaces, and whether the device and the passes can use them.
 #include "core/compile/steps.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace crevice::compiler {
-
 namespace {
 
 std::string figure(double value) { return significant(value, 3); }
@@ -27,10 +23,9 @@ constexpr const char* kPrecisionHelp =
 
 const PlanUniform* kernelOf(const Pass& pass)
 {
-    const auto found =
-        std::find_if(pass.uniforms.begin(), pass.uniforms.end(),
-                     [](const PlanUniform& each) { return each.source == UniformSource::kernel; });
-    return found == pass.uniforms.end() ? nullptr : &*found;
+    for (const PlanUniform& each : pass.uniforms)
+        if (each.source == UniformSource::kernel) return &each;
+    return nullptr;
 }
 
 // A pass that runs, looks about within the radius and allows for the steps of what `name` stores;
@@ -46,9 +41,7 @@ const Pass* readerOf(const State& state, const std::string& name)
     for (const Pass& pass : state.passes) {
         if (!pass.live || pass.shader < 0 || (reader && !kernelOf(pass))) continue;
         const std::vector<std::string>& used = state.shaders[pass.shader].fragment.defines_used;
-        if (std::count(used.begin(), used.end(), define) > 0 &&
-            std::any_of(pass.uniforms.begin(), pass.uniforms.end(), is_length))
-            reader = &pass;
+        if (contains(used, define) && anyOf(pass.uniforms, is_length)) reader = &pass;
     }
     return reader;
 }
@@ -56,9 +49,8 @@ const Pass* readerOf(const State& state, const std::string& name)
 // Whether the depth test of what such a shader reads goes by this target.
 bool hidesWhatIsRead(const State& state, int target)
 {
-    return std::any_of(state.passes.begin(), state.passes.end(), [&](const Pass& pass) {
-        return pass.live && pass.depth == target &&
-               std::any_of(pass.color.begin(), pass.color.end(), [&](int color) {
+    return anyOf(state.passes, [&](const Pass& pass) {
+        return pass.live && pass.depth == target && anyOf(pass.color, [&](int color) {
                    return color >= 0 && readerOf(state, nameOf(state, color));
                });
     });
@@ -152,7 +144,7 @@ void checkSampling(State& state, const Pass& pass)
                quoted(pass) + " reads '" + read.name + "' with the filter linear, and " +
                    format.name + " of target '" + nameOf(state, source->index) +
                    "' cannot be filtered: it would read as black",
-               read.input->sampler,
+               *read.input,
                "read it with the filter nearest, or give the target a format that filters: r8, "
                "r16f, rgba8, rgba16f");
     }
@@ -208,7 +200,7 @@ void checkFormats(State& state)
         if (pass.active) checkAttachments(state, pass);
         if (pass.live) checkSampling(state, pass);
         for (const BypassDesc& bypass : pass.desc->bypass)
-            checkSubstitute(state, bypass.output, bypass.input);
+            checkSubstitute(state, bypass, bypass.input);
     }
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const Target& target = state.targets[i];

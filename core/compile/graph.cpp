@@ -2,10 +2,9 @@
 // The graph: who writes what, and in which order passes run.
 #include "core/compile/steps.h"
 
-#include <algorithm>
+#include "core/base/text.h"
 
 namespace crevice::compiler {
-
 namespace {
 
 struct Edge {
@@ -13,8 +12,6 @@ struct Edge {
     int target;  // what flows
 };
 using Edges = std::vector<std::vector<Edge>>;  // into each pass
-
-// ---- messages
 
 // "pass 'lighting' reads target 'ao', which ..."; with the passes that would have written it.
 void reportNeverWritten(State& state, const std::string& reader, int target, const Reference& at)
@@ -29,8 +26,8 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
         if (referenceTo(pass, name).name != name) continue;
         if (!first) first = &pass;
         error.notes.push_back({pass.desc->place, quoted(pass) + " would write it"});
-        for (const Condition::Term& term : pass.desc->when.terms)
-            error.notes.push_back({term.subject.place, "its condition is here"});
+        for (const Condition& term : pass.desc->when)
+            error.notes.push_back({term.place, "its condition is here"});
     }
     if (first) {
         error.message = reader + " reads target '" + name + "', which " + quoted(*first) +
@@ -59,7 +56,7 @@ Reference placeOf(const Pass& pass, const Read& read)
 {
     if (read.name.empty()) return pass.desc->mask;
     if (!read.input) return {read.name, pass.desc->place, pass.desc->pointer};
-    return read.input->from.empty() ? read.input->sampler : read.input->from;
+    return read.input->from.empty() ? *read.input : read.input->from;
 }
 
 // Walks back from an undone pass until one comes up again, and reports the cycle.
@@ -91,8 +88,6 @@ std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector
     }
     return path;
 }
-
-// ---- edges
 
 void addEdge(State& state, int index, const Source& source, const Reference& at, Edges& edges)
 {
@@ -153,10 +148,10 @@ void checkBypasses(State& state)
     for (const Pass& pass : state.passes) {
         if (pass.active) continue;
         for (const BypassDesc& bypass : pass.desc->bypass) {
-            const int target = indexOf(state.description.targets, bypass.output.name);
+            const int target = indexOf(state.description.targets, bypass.name);
             const int writer = target < 0 ? -1 : state.targets[target].writer;
             if (writer >= 0)
-                reportTwoWriters(state, pass, "passes on, while it is off,", bypass.output,
+                reportTwoWriters(state, pass, "passes on, while it is off,", bypass,
                                  state.passes[writer]);
         }
     }
@@ -193,8 +188,7 @@ void orderPasses(State& state)
     checkOutputs(state);
 
     const auto ready = [&](std::size_t i) {
-        return !done[i] && std::all_of(edges[i].begin(), edges[i].end(),
-                                       [&](const Edge& edge) { return done[edge.from]; });
+        return !done[i] && allOf(edges[i], [&](const Edge& edge) { return done[edge.from]; });
     };
     while (std::count(done.begin(), done.end(), false) > 0) {
         std::size_t next = 0;

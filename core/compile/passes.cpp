@@ -1,34 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The plan: passes with what they read and write, load and store operations, programs, and textures
-// that targets share.
+// The plan: passes, what they read and write, load and store operations, programs, shared textures.
 #include "core/compile/steps.h"
 
 #include "core/base/content_hash.h"
-#include "core/base/text.h"
-#include "core/frame/frame_values.h"
-
-#include <algorithm>
+#include "core/frame/frame_math.h"
 
 namespace crevice::compiler {
-
 namespace {
 
-// The pass's shader without the outputs that no pass reads. Those that no pass reads by a param's
-// value stay, so that no such value compiles a shader.
-Shader shaderOf(const State& state, const Pass& pass)
+// Of the pass's shader without the outputs that no pass reads. Those that no pass reads by a
+// param's value stay, so that no such value compiles a shader.
+int addProgram(const State& state, const Pass& pass, Plan& plan)
 {
     Shader shader = state.shaders[pass.shader];
-    const std::vector<GlslOutput> outputs = shader.fragment.outputs;
-    for (const GlslOutput& output : outputs)
+    for (const GlslOutput& output : state.shaders[pass.shader].fragment.outputs)
         if (const Target& target = state.targets[pass.color[output.location]];
             !target.wanted && !target.textured)
             dropOutput(shader.fragment, output.name);
-    return shader;
-}
-
-int addProgram(const State& state, const Pass& pass, Plan& plan)
-{
-    const Shader shader = shaderOf(state, pass);
     ContentHash hash;
     hash.addText(shader.vertex.text);
     hash.addText(shader.fragment.text);
@@ -43,10 +31,10 @@ int addProgram(const State& state, const Pass& pass, Plan& plan)
 
 int addConstant(float value, Plan& plan)
 {
-    for (std::size_t i = 0; i < plan.constants.size(); ++i)
-        if (plan.constants[i].value == value) return static_cast<int>(i);
-    plan.constants.push_back({value});
-    return static_cast<int>(plan.constants.size()) - 1;
+    const auto known = std::find(plan.constants.begin(), plan.constants.end(), value);
+    const int index = static_cast<int>(known - plan.constants.begin());
+    if (known == plan.constants.end()) plan.constants.push_back(value);
+    return index;
 }
 
 int addParam(const ParamDesc& desc, Plan& plan)
@@ -119,8 +107,7 @@ PlanAttachment attachment(const State& state, const Pass& pass, int target, bool
     if (!keeps) return result;
     result.load = LoadOp::clear;
     if (depth) result.clear = {1, 1, 1, 1};
-    for (const ClearDesc& clear : desc.clear)
-        if (clear.target.name == result.name) result.clear = clear.value;
+    if (const ClearDesc* clear = findNamed(desc.clear, result.name)) result.clear = clear->value;
     if (depth && desc.type == PassType::draw && state.traits.reversed_depth)
         for (float& value : result.clear) value = 1.0f - value;
     return result;
@@ -160,20 +147,7 @@ void addInputs(const State& state, const Pass& pass, PlanPass& into, Plan& plan)
     }
 }
 
-void addUniforms(const State& state, const Pass& pass, PlanPass& into, Plan& plan)
-{
-    const Description& description = state.description;
-    for (PlanUniform uniform : pass.uniforms) {
-        if (uniform.source == UniformSource::param)
-            uniform.index = addParam(description.params[uniform.index], plan);
-        else if (uniform.source == UniformSource::kernel)
-            uniform.index = indexOf(plan.generated, description.generated[uniform.index].name);
-        into.uniforms.push_back(std::move(uniform));
-    }
-}
-
-// The mask is tested against, and stays as it is. Where a constant stands in for it the pass is
-// drawn everywhere.
+// The mask is tested against, and stays. Where a constant stands in for it, all is drawn.
 void addMask(const Pass& pass, PlanPass& into)
 {
     if (!readsMask(pass)) return;
@@ -216,12 +190,18 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
     result.has_depth = pass.depth >= 0;
     if (result.has_depth) result.depth = attachment(state, pass, pass.depth, true, plan);
     addMask(pass, result);
-    addUniforms(state, pass, result, plan);
+    for (PlanUniform uniform : pass.uniforms) {
+        const Description& description = state.description;
+        if (uniform.source == UniformSource::param)
+            uniform.index = addParam(description.params[uniform.index], plan);
+        else if (uniform.source == UniformSource::kernel)
+            uniform.index = indexOf(plan.generated, description.generated[uniform.index].name);
+        result.uniforms.push_back(std::move(uniform));
+    }
     plan.passes.push_back(std::move(result));
 }
 
-// A pass gets a scissor where all that it reads comes from draws whose bounds a frame knows. Passes
-// come after what they read.
+// A pass gets a scissor where all that it reads, in passes before it, is of draws with bounds.
 void boundPasses(const State& state, Plan& plan)
 {
     std::vector<bool> from_draws;
@@ -233,9 +213,8 @@ void boundPasses(const State& state, Plan& plan)
     for (PlanPass& pass : plan.passes) {
         const PassDesc& desc = *findNamed(state.description.passes, pass.name);
         const bool draws = pass.type == PassType::draw;
-        from_draws.push_back(draws
-                                 ? desc.frustum_scale > 0.0f || !desc.frustum_scale_param.empty()
-                                 : std::all_of(pass.inputs.begin(), pass.inputs.end(), fromDraws));
+        from_draws.push_back(draws ? desc.frustum_scale > 0.0f || !desc.frustum_scale_param.empty()
+                                   : allOf(pass.inputs, fromDraws));
         pass.scissor = isScissored(state, desc) && from_draws.back();
         const ParamDesc* length = findNamed(state.description.params, desc.cull_below_pixel.name);
         if (pass.scissor && length) pass.cull_below_pixel = addParam(*length, plan);

@@ -2,14 +2,9 @@
 // Shaders: their defines, their stages and their outputs, and renames of what none of them has.
 #include "core/compile/steps.h"
 
-#include "core/base/numbers.h"
-#include "core/base/text.h"
-#include "core/frame/frame_values.h"
-
-#include <algorithm>
+#include "core/frame/frame_math.h"
 
 namespace crevice::compiler {
-
 namespace {
 
 // A number as GLSL reads it; vectors are never defines.
@@ -30,13 +25,6 @@ void addFeature(GlslDefines& defines, const FeatureDesc& feature)
         defines[name + "_" + upperCase(feature.values[i])] = std::to_string(i);
 }
 
-void addTraits(GlslDefines& defines, const SceneTraits& traits)
-{
-    defines["MAX_LIGHTS"] = std::to_string(kMaxLights);
-    for (const TraitInfo& trait : kTraits)
-        defines[trait.define] = std::to_string(trait.value(traits));
-}
-
 // The resolution of a format, as GLSL.
 std::string stepsOf(Format format)
 {
@@ -45,24 +33,21 @@ std::string stepsOf(Format format)
            ")";
 }
 
-void addSteps(GlslDefines& defines, const State& state)
+// What every shader may mention.
+GlslDefines commonDefines(const State& state)
 {
+    GlslDefines defines;
     for (std::size_t i = 0; i < state.targets.size(); ++i)
         defines[stepDefine(state.description.targets[i].name)] = stepsOf(state.targets[i].format);
     for (const ImportDesc& import : state.description.imports)
         if (import.type == ImportType::texture)
             defines[stepDefine(import.name)] = stepsOf(formatFromName(import.format));
-}
-
-// What every shader may mention.
-GlslDefines commonDefines(const State& state)
-{
-    GlslDefines defines;
-    addSteps(defines, state);
     for (const ParamDesc& param : state.description.params)
         if (param.bind == Bind::define) defines[upperCase(param.name)] = literal(param);
     for (const FeatureDesc& feature : state.description.features) addFeature(defines, feature);
-    addTraits(defines, state.traits);
+    defines["MAX_LIGHTS"] = std::to_string(kMaxLights);
+    for (const TraitInfo& trait : kTraits)
+        defines[trait.define] = std::to_string(trait.value(state.traits));
     return defines;
 }
 
@@ -98,8 +83,8 @@ const Shader& assembled(State& state, int index)
 
 bool writes(const GlslStage& fragment, int location)
 {
-    return std::any_of(fragment.outputs.begin(), fragment.outputs.end(),
-                       [&](const GlslOutput& output) { return output.location == location; });
+    return anyOf(fragment.outputs,
+                 [&](const GlslOutput& output) { return output.location == location; });
 }
 
 // Takes the last targets off the pass whose outputs an #if takes out of the shader.
@@ -170,7 +155,7 @@ void refuseBlocks(State& state, const ShaderDesc& shader, const Reference& path,
 bool isMentioned(const State& state, std::string_view word)
 {
     const auto& files = state.description.files;
-    return std::any_of(files.begin(), files.end(), [&](const auto& file) {
+    return anyOf(files, [&](const auto& file) {
         return findWord(file.second->text, word) != std::string::npos;
     });
 }
@@ -186,22 +171,12 @@ void checkMentioned(State& state, const Pass& pass, const Reference& name, const
          {&state.shaders[pass.shader].vertex, &state.shaders[pass.shader].fragment})
         for (const GlslUniform& uniform : stage->uniforms) names.push_back(uniform.name);
     std::string help = suggestName(name.name, names, "the shader declares");
-    const bool same = std::count(names.begin(), names.end(), from.name) > 0;
-    if (same && help.find("did you mean") == std::string::npos)
+    if (contains(names, from.name) && help.find("did you mean") == std::string::npos)
         help = "did you mean '" + from.name + "'? " + help;
     report(state, Code::input_unused,
            quoted(pass) + " " + what + " '" + name.name + "', which shader '" + shader.name +
                "' does not have",
            name, help);
-}
-
-void checkInputs(State& state, const Pass& pass)
-{
-    for (const InputDesc& input : pass.desc->inputs)
-        checkMentioned(state, pass, input.sampler, input.from, "renames input");
-    for (const PreservesConstantDesc& each : pass.desc->preserves_constant)
-        checkMentioned(state, pass, each.sampler, each.sampler,
-                       "preserves the constant of sampler");
 }
 
 void readPass(State& state, Pass& pass)
@@ -216,7 +191,11 @@ void readPass(State& state, Pass& pass)
     for (const GlslStage* stage : {&shader.vertex, &shader.fragment})
         for (const GlslUniform& uniform : stage->uniforms)
             if (!isFull(state)) bindUniform(state, pass, uniform);
-    checkInputs(state, pass);
+    for (const InputDesc& input : pass.desc->inputs)
+        checkMentioned(state, pass, input, input.from, "renames input");
+    for (const PreservesConstantDesc& each : pass.desc->preserves_constant)
+        checkMentioned(state, pass, each.sampler, each.sampler,
+                       "preserves the constant of sampler");
     dropUnwritten(pass, shader.fragment);
     checkOutputs(state, pass, shader.fragment);
     checkLimits(state, pass, shader);
@@ -231,7 +210,7 @@ void readMask(State& state, Pass& pass)
     const bool fits = !own.empty() && sizeOf(state, mask) == sizeOf(state, own.front()) &&
                       askedSamples(state, mask) == 1 && askedSamples(state, own.front()) == 1;
     const auto draws_it = [&](const Pass& each) { return each.active && each.depth == mask; };
-    if (fits && std::any_of(state.passes.begin(), state.passes.end(), draws_it))
+    if (fits && anyOf(state.passes, draws_it))
         pass.reads.push_back({"", nullptr, {InputKind::target, mask}});
 }
 

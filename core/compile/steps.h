@@ -15,11 +15,7 @@
 
 #include <crevice/compile.h>
 
-#include <optional>
 #include <set>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace crevice::compiler {
 
@@ -105,8 +101,7 @@ Diagnostic& report(State& state, Code code, std::string message, const Named& at
 Diagnostic& report(State& state, Code code, std::string message, const Reference& at,
                    std::string help = {});
 
-/// Adds an error that GLSL and the config share, and returns it: at `declared` in the GLSL, with a
-/// note at the shader that the pass names.
+/// Adds an error at `declared` in the GLSL, with a note at the shader that the pass names.
 Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
                        const Place& declared, std::string help = {});
 
@@ -159,20 +154,17 @@ void chooseLive(State& state);
 /// The warning CV2212.
 void lintDeadPasses(State& state);
 
-/// What a reader gets, with inactive passes and those that a no-op replaces looked through;
-/// nothing when no active pass is behind it.
+/// What a reader gets, with passes that do not run looked through; nothing behind no active pass.
 std::optional<Source> resolve(const State& state, const Source& source);
 std::optional<Source> resolveTarget(const State& state, int target);
 
 // target_sizes.cpp
 /// The description with params lowered whose borders make targets larger than the device's
-/// textures, and what that leaves out; nothing where all fit. The first step: all others see the
-/// result.
+/// textures, and what that leaves out; nothing where all fit. The first step, whose result all see.
 std::optional<Description> fitBorders(const State& state, std::vector<Elided>& elided);
 /// How large the target is, in pixels.
 Extent sizeOf(const State& state, int target);
-/// How many views a target shows that has a border or follows one, in the direction in which that
-/// is more; 0 without a border.
+/// Views that a target shows that has a border or follows one: of width or height the more; or 0.
 float viewsOf(const State& state, int target);
 void chooseExtents(State& state);
 /// Samples of a pixel that the config asks for.

@@ -2,15 +2,12 @@
 // Sizes and samples of targets. All that a pass writes has the same.
 #include "core/compile/steps.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 
 namespace crevice::compiler {
-
 namespace {
 
 std::string text(const Extent& extent)
@@ -26,8 +23,7 @@ std::string endsAt(const State& state)
 
 constexpr double kLargest = 1e9;  // fits an int; far over what any device takes
 
-// Rounded up, but for what the rounding of `scale` to a float adds: 1.2f is a little above 1.2, and
-// 360 * 1.2 is 432.
+// Rounded up, but for what rounding `scale` to a float adds: 1.2f is above 1.2; 360 * 1.2 is 432.
 int scaled(int size, float scale)
 {
     constexpr double kEpsilon = 6.0e-8;  // 2^-24: half a step of floats, relative
@@ -49,13 +45,6 @@ int bordered(int size, float scale)
     return static_cast<int>(std::min(size + 2.0 * std::max(0.0, border), kLargest));
 }
 
-// What the size of a target is a share of.
-Extent followedExtent(const State& state, int target)
-{
-    const int followed = state.targets[target].followed;
-    return followed >= 0 ? sizeOf(state, followed) : state.options.extent;
-}
-
 // The scale itself, or one at which the border ends where the device's textures do.
 float fittingScale(int size, float scale, int limit)
 {
@@ -70,15 +59,15 @@ float fittingScale(const State& state, const ParamDesc& param)
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const SizeDesc& desc = state.description.targets[i].size;
         if (!desc.border || desc.scale_param.name != param.name) continue;
-        const Extent inner = followedExtent(state, static_cast<int>(i));
+        const int followed = state.targets[i].followed;
+        const Extent inner = followed >= 0 ? sizeOf(state, followed) : state.options.extent;
         for (const int size : {inner.width, inner.height})
             scale = std::min(scale, fittingScale(size, scale, state.caps.max_texture_size));
     }
     return scale;
 }
 
-// Whether `fact` is the same of all that the pass writes. Otherwise it reports the first that
-// differs, with the target's key that makes it do so.
+// Whether `fact` is the same of all that the pass writes; else it reports the first that differs.
 bool attachmentsAgree(State& state, const Pass& pass, Code code, const std::string& key,
                       const std::function<std::string(int)>& fact)
 {

@@ -2,15 +2,11 @@
 // Uniforms: the texture, param, kernel or frame value behind each, and how many the device holds.
 #include "core/compile/steps.h"
 
-#include "core/base/text.h"
 #include "core/config/values.h"
-#include "core/frame/frame_values.h"
+#include "core/frame/frame_math.h"
 #include "core/sampling/generators.h"
 
-#include <algorithm>
-
 namespace crevice::compiler {
-
 namespace {
 
 // What a name in GLSL stands for, and what a uniform of that name has to look like.
@@ -144,14 +140,6 @@ void reportUnbound(State& state, const Pass& pass, const GlslUniform& uniform,
         if (each.name == name) error.notes.push_back({each.place, "it was deleted here"});
 }
 
-// What the pass says of a sampler, if it does.
-const InputDesc* inputFor(const PassDesc& pass, std::string_view sampler)
-{
-    for (const InputDesc& input : pass.inputs)
-        if (input.sampler.name == sampler) return &input;
-    return nullptr;
-}
-
 void reportShape(State& state, const Pass& pass, const GlslUniform& uniform, const Supply& supply)
 {
     const std::string wanted = spell(glslName(supply.type), uniform.name, supply.count);
@@ -215,7 +203,7 @@ int generatedCount(const Description& description, const GeneratedDesc& generate
 void bindUniform(State& state, Pass& pass, const GlslUniform& uniform)
 {
     const bool texture = isSampler(uniform.type);
-    const InputDesc* input = texture ? inputFor(*pass.desc, uniform.name) : nullptr;
+    const InputDesc* input = texture ? findNamed(pass.desc->inputs, uniform.name) : nullptr;
     const std::string& name = input && !input->from.empty() ? input->from.name : uniform.name;
     const std::optional<Supply> supply = supplyOf(state.description, *pass.desc, name);
     if (!supply) return reportUnbound(state, pass, uniform, name);

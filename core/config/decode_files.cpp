@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The GLSL files that a config names, and what they include; and what it declares and nothing uses:
-// surely misspelt.
+// The GLSL files that a config names and include; and what it declares and nothing uses.
 #include "core/config/decode_report.h"
-
-#include <crevice/glsl_stage.h>
 
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/glsl/lexer.h"
-#include "core/json/override.h"
-
-#include <algorithm>
-#include <optional>
+#include "core/json/merge.h"
 
 namespace crevice::table {
-
 namespace {
 
 struct Found {
@@ -202,32 +195,25 @@ struct UseChecker {
         return words->count(word) > 0;
     }
 
-    bool used(const Named& each) { return names.count(each.name) > 0; }
-
-    bool used(const ParamDesc& each)
+    // Whether it is used without being named in the config.
+    bool isRead(const Named&) { return false; }
+    bool isRead(const ParamDesc& each)
     {
-        const bool define = each.bind == Bind::define;
-        return used(Named(each)) || inGlsl(define ? upperCase(each.name) : each.name);
+        return inGlsl(each.bind == Bind::define ? upperCase(each.name) : each.name);
     }
-
-    bool used(const FeatureDesc& each)
+    bool isRead(const FeatureDesc& each)
     {
-        return !each.sets.empty() || used(Named(each)) || inGlsl(upperCase(each.name));
+        return !each.sets.empty() || inGlsl(upperCase(each.name));
     }
-
-    bool used(const GeneratedDesc& each) { return used(Named(each)) || inGlsl(each.name); }
-
-    // A camera, draw list and lights are known by their type; a config may rest on the frame
-    // without naming them in any shader.
-    bool used(const ImportDesc& each)
+    bool isRead(const GeneratedDesc& each) { return inGlsl(each.name); }
+    // A camera, draw list and lights are known by type; no shader need name what they give.
+    bool isRead(const ImportDesc& each)
     {
-        return each.type != ImportType::texture || used(Named(each)) || inGlsl(each.name);
+        return each.type != ImportType::texture || inGlsl(each.name);
     }
-
-    bool used(const TargetDesc& each)
+    bool isRead(const TargetDesc& each)
     {
-        return used(Named(each)) || inGlsl(each.name) ||
-               (each.history && inGlsl(historyName(each)));
+        return inGlsl(each.name) || (each.history && inGlsl(historyName(each)));
     }
 
     bool isOwn(const Named& each) const
@@ -244,7 +230,7 @@ struct UseChecker {
         std::vector<const T*> unused;
         std::vector<std::string> others;
         for (const T& each : list) {
-            if (isOwn(each) && !used(each))
+            if (isOwn(each) && names.count(each.name) == 0 && !isRead(each))
                 unused.push_back(&each);
             else
                 others.push_back(each.name);

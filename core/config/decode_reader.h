@@ -24,8 +24,7 @@ bool read(Report& report, const Cursor& cursor, OneOf out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Scalars out, const Rule& rule);
 inline bool read(Report&, const Cursor&, Later, const Rule&) { return true; }
 
-/// Whether the value is a number, a whole one where asked for, inside the rule's range and the one
-/// given.
+/// Whether the value is a number, a whole one where asked for, inside both ranges.
 bool isNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, double least,
               double most);
 
@@ -119,19 +118,6 @@ private:
 };
 
 template <class T>
-void setKey(Report& report, const Cursor& cursor, T& entry)
-{
-    if constexpr (std::is_base_of_v<Named, T>) {
-        entry.name = cursor.key;
-        entry.place = cursor.key_place;
-        entry.pointer = cursor.pointer;
-        checkName(report, cursor);
-    } else {
-        keyOf(entry) = {cursor.key, cursor.key_place, cursor.pointer};
-    }
-}
-
-template <class T>
 bool read(Report& report, const Cursor& cursor, NumberOrName<T> out, const Rule& rule)
 {
     const Node& node = cursor.node;
@@ -141,8 +127,7 @@ bool read(Report& report, const Cursor& cursor, NumberOrName<T> out, const Rule&
     return read(report, cursor, out.number, rule);
 }
 
-// An object of entries keyed by name. An entry that is broken keeps its name, so that what refers
-// to it is not reported as well.
+// An object of entries by name. One that is broken keeps it, so that what refers to it is right.
 template <class T>
 bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&)
 {
@@ -154,7 +139,13 @@ bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&
         const bool elided = !declared && (report.leavesOut(child.key_place) ||
                                           !report.otherSection(cursor.key, child.key).empty());
         const bool bare = member.value.kind != Node::Kind::object;
-        if (!elided) setKey(report, child, out.emplace_back());
+        if (!elided) {
+            T& entry = out.emplace_back();
+            entry.name = child.key;
+            entry.place = child.key_place;
+            entry.pointer = child.pointer;
+            if (std::is_base_of_v<Named, T>) checkName(report, child);
+        }
         if (elided || (!declared && bare))
             reportUndeclared(report, cursor, child);
         else

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Names: those that collide, sizes that follow each other, references to nothing and what stands
-// where it may not.
+// Names that collide, sizes that follow each other, references to nothing or to what may not be.
 #include "core/config/decode_report.h"
 
-#include "core/base/text.h"
 #include "core/config/field_types.h"
 #include "core/config/values.h"
-#include "core/frame/frame_values.h"
+#include "core/frame/frame_math.h"
 #include "core/sampling/generators.h"
 
-#include <algorithm>
-#include <map>
-#include <set>
-
 namespace crevice::table {
-
 namespace {
 
 // What a reference of some kind may name.
@@ -26,78 +19,77 @@ struct Names {
     std::vector<std::string> all = {};
 };
 
-bool isCount(std::string_view text)
-{
-    return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
-}
+bool isCount(std::string_view text) { return !text.empty() && allOf(text, isDigit); }
 
-class Checker {
-public:
-    Checker(const Node& document, const Description& description, Report& report)
-        : document_(document),
-          description_(description),
-          report_(report)
-    {
-        targets_.all = sized_.all = namesOf(description.targets);
-        inputs_.all = textureNames(description);
-        for (const ImportDesc& each : description.imports)
-            if (each.type == ImportType::texture) sized_.all.push_back(each.name);
-        if (inputs_.all.size() > targets_.all.size()) inputs_.listed = "targets and textures";
-        shaders_.all = namesOf(description.shaders);
-        params_.all = namesOf(description.params);
-        subjects_.all = namesOf(description.features);
-        for (const TraitInfo& trait : kTraits) subjects_.all.push_back(trait.name);
-    }
+struct Checker {
+    const Node& document;
+    const Description& description;
+    Report& report;
+    Names targets = {"target", "targets", Code::target_missing, {"targets"}};
+    Names sized = {"target", "targets", Code::target_missing, {"targets", "imports"}};
+    Names inputs = {"target", "targets", Code::target_missing, {"targets", "generated", "imports"}};
+    Names shaders = {"shader", "shaders", Code::shader_missing, {"shaders"}};
+    Names params = {"param", "params", Code::reference_missing, {"params"}};
+    Names subjects = {"feature or trait", "names", Code::feature_missing, {"features"}};
+    std::set<std::string> named = {};
 
     std::set<std::string> run()
     {
-        for (const GeneratedDesc& each : description_.generated)
+        targets.all = sized.all = namesOf(description.targets);
+        inputs.all = textureNames(description);
+        for (const ImportDesc& each : description.imports)
+            if (each.type == ImportType::texture) sized.all.push_back(each.name);
+        if (inputs.all.size() > targets.all.size()) inputs.listed = "targets and textures";
+        shaders.all = namesOf(description.shaders);
+        params.all = namesOf(description.params);
+        subjects.all = namesOf(description.features);
+        for (const TraitInfo& trait : kTraits) subjects.all.push_back(trait.name);
+        for (const GeneratedDesc& each : description.generated)
             expectNumber(each.count_param, "generated '" + each.name + "'", "count",
                          ParamType::int_, range(1, mostCount(each.generator)));
-        for (const TargetDesc& each : description_.targets) {
+        for (const TargetDesc& each : description.targets) {
             const std::string who = "target '" + each.name + "'";
-            expect(each.size.of, who + " follows the size of", sized_);
-            if (!each.size.optional || contains(params_.all, each.size.scale_param.name))
+            expect(each.size.of, who + " follows the size of", sized);
+            if (!each.size.optional || contains(params.all, each.size.scale_param.name))
                 expectNumber(each.size.scale_param, who, "scale", ParamType::float_,
                              range(smallestScale(each.size), kLargestScale));
             expectNumber(each.samples_param, who, "samples", ParamType::int_,
                          range(1, kMaxSamples));
         }
-        for (const PassDesc& each : description_.passes) checkPass(each);
-        for (const OutputDesc& each : description_.outputs)
-            expect(each.target, "output '" + each.name + "' exports", targets_);
-        for (const ViewDesc& each : description_.views)
-            expect(each.target, "view '" + each.name + "' shows", targets_);
-        return std::move(named_);
+        for (const PassDesc& each : description.passes) checkPass(each);
+        for (const OutputDesc& each : description.outputs)
+            expect(each.target, "output '" + each.name + "' exports", targets);
+        for (const ViewDesc& each : description.views)
+            expect(each.target, "view '" + each.name + "' shows", targets);
+        return std::move(named);
     }
 
-private:
     // True too when the reference was not written, or is explained by an error already reported.
     bool known(const Reference& reference, const Names& names) const
     {
         const auto broken = [&](const std::string& section) {
-            return report_.errorAt("/" + section);
+            return report.errorAt("/" + section);
         };
         return reference.pointer.empty() || contains(names.all, reference.name) ||
-               std::any_of(names.sections.begin(), names.sections.end(), broken);
+               anyOf(names.sections, broken);
     }
 
     void expect(const Reference& reference, const std::string& who, const Names& names)
     {
-        named_.insert(reference.name);
+        named.insert(reference.name);
         if (known(reference, names)) return;
-        if (report_.full()) return report_.count();
+        if (report.full()) return report.count();
         const bool target = names.code == Code::target_missing;
         const std::string makers =
-            target ? modulesThatDeclare(report_.sources, "targets", reference.name) : "";
+            target ? modulesThatDeclare(report.sources, "targets", reference.name) : "";
         Reported& error =
-            report_.at(reference, names.code,
-                       who + " " + names.what + " '" + reference.name + "', which does not exist",
-                       makers.empty() ? suggestName(reference.name, names.all, names.listed)
-                                      : "add a module that makes it to 'extends': " + makers);
+            report.at(reference, names.code,
+                      who + " " + names.what + " '" + reference.name + "', which does not exist",
+                      makers.empty() ? suggestName(reference.name, names.all, names.listed)
+                                     : "add a module that makes it to 'extends': " + makers);
         error.mistake = names.what + " " + reference.name;
         if (isModule(reference.place)) error.cause = ownPlace(reference.place);
-        for (const Named& each : description_.deleted) {
+        for (const Named& each : description.deleted) {
             for (const std::string& section : names.sections) {
                 const std::string pointer = memberPointer("", section);
                 if (each.pointer != pointer &&
@@ -115,21 +107,21 @@ private:
                       ParamType type, const Rule& limits)
     {
         const std::string takes = who + " takes its " + number + " from";
-        expect(name, takes, params_);
-        const ParamDesc* param = findNamed(description_.params, name.name);
-        if (!param || report_.errorWithin(param->pointer)) return;
+        expect(name, takes, params);
+        const ParamDesc* param = findNamed(description.params, name.name);
+        if (!param || report.errorWithin(param->pointer)) return;
         if (param->type != ParamType::int_ && param->type != type) {
             std::vector<std::string> others;
-            for (const ParamDesc& each : description_.params)
+            for (const ParamDesc& each : description.params)
                 if (each.type == type) others.push_back(each.name);
-            report_.at(name, Code::reference_missing,
-                       takes + " param '" + name.name + "', which has another type",
-                       others.empty()
-                           ? "give '" + name.name + "' the type \"" + word(type) + "\""
-                           : "name one of type " + std::string(word(type)) + ": " + joined(others));
+            report.at(name, Code::reference_missing,
+                      takes + " param '" + name.name + "', which has another type",
+                      others.empty()
+                          ? "give '" + name.name + "' the type \"" + word(type) + "\""
+                          : "name one of type " + std::string(word(type)) + ": " + joined(others));
         } else if (!(param->value[0] >= limits.min && param->value[0] <= limits.max)) {
-            const Reference value = referenceAt(document_, param->pointer + "/default");
-            Reported& error = report_.at(
+            const Reference value = referenceAt(document, param->pointer + "/default");
+            Reported& error = report.at(
                 value, Code::out_of_range,
                 param->name + " default " + value.name + " is outside [" + numberText(limits.min) +
                     ", " + numberText(limits.max) + "], the " + number + "s that " + who +
@@ -141,63 +133,63 @@ private:
 
     void checkPass(const PassDesc& pass)
     {
-        if (report_.errorAt(pass.pointer)) return;  // it is a patch of none
+        if (report.errorAt(pass.pointer)) return;  // it is a patch of none
         const std::string who = "pass '" + pass.name + "' ";
-        expect(pass.shader, who + "runs", shaders_);
+        expect(pass.shader, who + "runs", shaders);
         checkWrites(pass);
-        for (const ClearDesc& each : pass.clear) checkAttached(pass, each.target, "clears");
+        for (const ClearDesc& each : pass.clear) checkAttached(pass, each, "clears");
         checkUndrawn(pass);
-        for (const Condition::Term& each : pass.when.terms) checkTerm(pass, each);
+        for (const Condition& each : pass.when) checkTerm(pass, each);
         for (const BypassDesc& each : pass.bypass) {
-            checkAttached(pass, each.output, "bypasses");
-            expect(each.input, who + "reads", targets_);
+            checkAttached(pass, each, "bypasses");
+            expect(each.input, who + "reads", targets);
         }
         for (const NoOpDesc& each : pass.no_op) {
-            expect(each.param, who + "is a no-op at a value of", params_);
+            expect(each, who + "is a no-op at a value of", params);
             for (const NoOpDesc::Gives& gives : each.gives) {
-                checkAttached(pass, gives.output, "gives");
-                expect(gives.input, who + "reads", targets_);
+                checkAttached(pass, gives, "gives");
+                expect(gives.input, who + "reads", targets);
             }
         }
-        expect(pass.frustum_scale_param, who + "has as frustum scale", params_);
+        expect(pass.frustum_scale_param, who + "has as frustum scale", params);
         for (const PreservesConstantDesc& each : pass.preserves_constant)
-            checkAttached(pass, each.output, "preserves as constant");
+            checkAttached(pass, each, "preserves as constant");
         for (const InputDesc& each : pass.inputs) checkInput(pass, each);
     }
 
     void checkWrites(const PassDesc& pass)
     {
-        std::vector<Reference> targets = pass.color;
-        targets.push_back(pass.depth);
+        std::vector<Reference> all = pass.color;
+        all.push_back(pass.depth);
         std::set<std::string> written;
-        for (const Reference& target : targets) {
-            expect(target, "pass '" + pass.name + "' writes", targets_);
+        for (const Reference& target : all) {
+            expect(target, "pass '" + pass.name + "' writes", targets);
             const bool depth = target.pointer == pass.depth.pointer;
             if (!isOfKind(
                     target, depth,
                     "pass '" + pass.name + (depth ? "' writes as depth" : "' writes as colour")))
                 continue;
             if (target.pointer.empty() || written.insert(target.name).second) continue;
-            report_.at(target, Code::two_writers,
-                       "pass '" + pass.name + "' writes target '" + target.name + "' twice",
-                       "give each output of the shader a target of its own");
+            report.at(target, Code::two_writers,
+                      "pass '" + pass.name + "' writes target '" + target.name + "' twice",
+                      "give each output of the shader a target of its own");
         }
     }
 
     // Whether the target is in a depth format where it must be, and only there.
     bool isOfKind(const Reference& at, bool depth, const std::string& who)
     {
-        const TargetDesc* target = findNamed(description_.targets, at.name);
+        const TargetDesc* target = findNamed(description.targets, at.name);
         if (!target || at.pointer.empty()) return true;
         for (const Format format : target->formats) {
             const FormatInfo& info = formatInfo(format);
             if ((info.format_class == FormatClass::depth) == depth) continue;
             Reported& error =
-                report_.at(at, Code::attachment_kind,
-                           who + " '" + at.name + "', and its format " + info.name +
-                               " is none of " + (depth ? "depth" : "colour"),
-                           depth ? "name one in a depth format: depth16, depth24 or depth32f"
-                                 : "name it under `depth`, or give it a colour format");
+                report.at(at, Code::attachment_kind,
+                          who + " '" + at.name + "', and its format " + info.name + " is none of " +
+                              (depth ? "depth" : "colour"),
+                          depth ? "name one in a depth format: depth16, depth24 or depth32f"
+                                : "name it under `depth`, or give it a colour format");
             if (isModule(at.place)) error.cause = target->formats_place;
             return false;
         }
@@ -210,100 +202,85 @@ private:
         const std::string who = "pass '" + pass.name + "' " + verb;
         std::vector<std::string> written = namesOf(pass.color);
         if (!pass.depth.pointer.empty()) written.push_back(pass.depth.name);
-        if (!known(target, targets_)) return expect(target, who, targets_);
-        const bool reported = report_.errorWithin(pass.pointer + "/color") ||
-                              report_.errorWithin(pass.pointer + "/depth");
+        if (!known(target, targets)) return expect(target, who, targets);
+        const bool reported = report.errorWithin(pass.pointer + "/color") ||
+                              report.errorWithin(pass.pointer + "/depth");
         if (reported || contains(written, target.name)) return;
-        report_.at(target, Code::reference_missing,
-                   who + " target '" + target.name + "', which it does not write",
-                   suggestName(target.name, written, "its targets"));
+        report.at(target, Code::reference_missing,
+                  who + " target '" + target.name + "', which it does not write",
+                  suggestName(target.name, written, "its targets"));
     }
 
     // What a pass is not drawn everywhere for, and that it says what is elsewhere.
     void checkUndrawn(const PassDesc& pass)
     {
         const std::string who = "pass '" + pass.name + "' ";
-        expect(pass.mask, who + "has as mask", targets_);
+        expect(pass.mask, who + "has as mask", targets);
         isOfKind(pass.mask, true, who + "has as mask");
-        expect(pass.cull_below_pixel, who + "culls by", params_);
-        const ParamDesc* length = findNamed(description_.params, pass.cull_below_pixel.name);
-        if (length && length->type != ParamType::float_ && !report_.errorWithin(length->pointer))
-            report_.at(pass.cull_below_pixel, Code::reference_missing,
-                       who + "culls by '" + length->name + "', which is not a float",
-                       "name a param of type float, in scene units");
-        if ((pass.mask.empty() && !pass.scissor) || report_.errorWithin(pass.pointer)) return;
+        expect(pass.cull_below_pixel, who + "culls by", params);
+        const ParamDesc* length = findNamed(description.params, pass.cull_below_pixel.name);
+        if (length && length->type != ParamType::float_ && !report.errorWithin(length->pointer))
+            report.at(pass.cull_below_pixel, Code::reference_missing,
+                      who + "culls by '" + length->name + "', which is not a float",
+                      "name a param of type float, in scene units");
+        if ((pass.mask.empty() && !pass.scissor) || report.errorWithin(pass.pointer)) return;
         std::vector<Reference> written = pass.color;
         if (pass.scissor && !pass.depth.empty()) written.push_back(pass.depth);
         for (const Reference& target : written) {
-            const auto clears = [&](const ClearDesc& each) {
-                return each.target.name == target.name;
-            };
-            if (std::any_of(pass.clear.begin(), pass.clear.end(), clears)) continue;
+            if (findNamed(pass.clear, target.name)) continue;
             Reported& error =
-                report_.at(target, Code::missing_key,
-                           who + "is not drawn everywhere, and its `clear` does not say what '" +
-                               target.name + "' is elsewhere",
-                           "add to the pass: \"clear\": {\"" + target.name +
-                               "\": 1}, or what its shader writes where nothing is seen");
+                report.at(target, Code::missing_key,
+                          who + "is not drawn everywhere, and its `clear` does not say what '" +
+                              target.name + "' is elsewhere",
+                          "add to the pass: \"clear\": {\"" + target.name +
+                              "\": 1}, or what its shader writes where nothing is seen");
             if (isModule(target.place)) error.cause = ownPlace(target.place);
         }
     }
 
-    void checkTerm(const PassDesc& pass, const Condition::Term& term)
+    void checkTerm(const PassDesc& pass, const Condition& term)
     {
-        expect(term.subject, "pass '" + pass.name + "' depends on", subjects_);
-        const std::string& subject = term.subject.name;
-        const FeatureDesc* feature = findNamed(description_.features, subject);
+        expect(term, "pass '" + pass.name + "' depends on", subjects);
+        const std::string& subject = term.name;
+        const FeatureDesc* feature = findNamed(description.features, subject);
         const TraitInfo* trait = findNamed(kTraits, subject);
         if (!feature && !trait) return;
-        if (report_.errorWithin(term.subject.pointer)) return;
-        if (feature && report_.errorWithin(feature->pointer)) return;
+        if (report.errorWithin(term.pointer)) return;
+        if (feature && report.errorWithin(feature->pointer)) return;
         const std::vector<std::string> allowed =
             feature ? feature->values : std::vector<std::string>{"false", "true"};
-        const bool list = locate(document_, term.subject.pointer).node->kind == Node::Kind::array;
+        const bool list = locate(document, term.pointer).node->kind == Node::Kind::array;
         for (std::size_t i = 0; i < term.values.size(); ++i) {
             const std::string& value = term.values[i];
             if (contains(allowed, value) || (trait && trait->count && isCount(value))) continue;
             const std::string item = list ? "/" + std::to_string(i) : "";
-            report_.at(referenceAt(document_, term.subject.pointer + item), Code::feature_value,
-                       "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
-                           "', which it never is",
-                       suggestName(value, allowed, "values") +
-                           (trait && trait->count ? ", or a number" : ""));
+            report.at(referenceAt(document, term.pointer + item), Code::feature_value,
+                      "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
+                          "', which it never is",
+                      suggestName(value, allowed, "values") +
+                          (trait && trait->count ? ", or a number" : ""));
         }
     }
 
     void checkInput(const PassDesc& pass, const InputDesc& input)
     {
         const bool renamed = !input.from.pointer.empty();
-        const Reference& source = renamed ? input.from : input.sampler;
-        const bool broken = report_.errorAt(input.sampler.pointer) ||
-                            report_.errorAt(input.sampler.pointer + "/from");
+        const Reference& source = renamed ? input.from : input;
+        const bool broken =
+            report.errorAt(input.pointer) || report.errorAt(input.pointer + "/from");
         if (broken) return;
-        if (indexOf(kMaterialMaps, source.name) >= 0 && !contains(inputs_.all, source.name)) {
-            if (pass.type == PassType::draw || report_.errorAt(pass.pointer + "/type")) return;
+        if (indexOf(kMaterialMaps, source.name) >= 0 && !contains(inputs.all, source.name)) {
+            if (pass.type == PassType::draw || report.errorAt(pass.pointer + "/type")) return;
             Reported& error =
-                report_.at(source, Code::target_missing,
-                           "pass '" + pass.name + "' reads the material's '" + source.name +
-                               "', which a draw pass alone has",
-                           "let the pass be of type \"draw\", or take this input away");
+                report.at(source, Code::target_missing,
+                          "pass '" + pass.name + "' reads the material's '" + source.name +
+                              "', which a draw pass alone has",
+                          "let the pass be of type \"draw\", or take this input away");
             error.mistake = "material maps of " + pass.pointer;
             return;
         }
-        expect(source, "pass '" + pass.name + "' reads", inputs_);
+        expect(source, "pass '" + pass.name + "' reads", inputs);
     }
-
-    const Node& document_;
-    const Description& description_;
-    Report& report_;
-    std::set<std::string> named_ = {};
-    Names targets_ = {"target", "targets", Code::target_missing, {"targets"}};
-    Names sized_ = {"target", "targets", Code::target_missing, {"targets", "imports"}};
-    Names inputs_ = {
-        "target", "targets", Code::target_missing, {"targets", "generated", "imports"}};
-    Names shaders_ = {"shader", "shaders", Code::shader_missing, {"shaders"}};
-    Names params_ = {"param", "params", Code::reference_missing, {"params"}};
-    Names subjects_ = {"feature or trait", "names", Code::feature_missing, {"features"}};
 };
 
 // Names of things that `who` sees together, so that no two may have the same.
@@ -330,28 +307,6 @@ struct SharedNames {
         for (const T& each : list) add(each, what);
     }
 };
-
-void checkCollisions(const Description& description, Report& report)
-{
-    SharedNames glsl{"GLSL", report};
-    glsl.add(description.params, "a param");
-    glsl.add(description.targets, "a target");
-    glsl.add(description.generated, "a generated value");
-    for (const ImportDesc& each : description.imports)
-        if (each.type == ImportType::texture) glsl.add(each, "a texture import");
-    for (const TargetDesc& each : description.targets)
-        if (each.history) glsl.add({historyName(each), each.place, each.pointer}, "a history");
-
-    SharedNames settable{"an override", report};
-    settable.add(description.params, "a param");
-    settable.add(description.features, "a feature");
-
-    for (const ParamDesc& each : description.params)
-        if (findNamed(kFrameValues, each.name))
-            report.at(referenceTo(each), Code::name_collision,
-                      "param '" + each.name + "' has the name of a uniform that each frame feeds",
-                      "rename the param");
-}
 
 // Follows `size.of` from each target that no walk has come by, until one is met again.
 void checkSizeCycles(const Description& description, Report& report)
@@ -412,13 +367,30 @@ std::string declaredBy(const SourceSet& sources, std::string_view section, const
 std::set<std::string> checkReferences(const Node& document, const Description& description,
                                       Report& report)
 {
-    return Checker(document, description, report).run();
+    return Checker{document, description, report}.run();
 }
 
 void checkNames(const Description& description, Report& report)
 {
     checkSizeCycles(description, report);
-    checkCollisions(description, report);
+    SharedNames glsl{"GLSL", report};
+    glsl.add(description.params, "a param");
+    glsl.add(description.targets, "a target");
+    glsl.add(description.generated, "a generated value");
+    for (const ImportDesc& each : description.imports)
+        if (each.type == ImportType::texture) glsl.add(each, "a texture import");
+    for (const TargetDesc& each : description.targets)
+        if (each.history) glsl.add({historyName(each), each.place, each.pointer}, "a history");
+
+    SharedNames settable{"an override", report};
+    settable.add(description.params, "a param");
+    settable.add(description.features, "a feature");
+
+    for (const ParamDesc& each : description.params)
+        if (findNamed(kFrameValues, each.name))
+            report.at(referenceTo(each), Code::name_collision,
+                      "param '" + each.name + "' has the name of a uniform that each frame feeds",
+                      "rename the param");
 }
 
 }  // namespace crevice::table

@@ -6,7 +6,6 @@
 
 #include <crevice/config.h>
 
-#include <optional>
 #include <set>
 
 namespace crevice::table {
@@ -26,14 +25,12 @@ struct Cursor {
 
 /// An error, and what it has to do with others.
 struct Reported : Diagnostic {
-    /// Of those with the same mistake the first in the document is reported, and the others become
-    /// its notes.
+    /// Of the same mistake the first in the document is reported; the others become its notes.
     std::string mistake = {};
     Place cause = {};  ///< What it comes of: where it is reported then.
 };
 
-/// Errors in any order, to be put into that of the document. Of those past kMaxDiagnostics
-/// the last stays, and an error where there was one.
+/// Errors in any order, to be put into the document's. Past kMaxDiagnostics the last error stays.
 class Report {
 public:
     Report(const Node& document, const SourceSet& set) : sources(set), document_(document) {}
@@ -45,8 +42,7 @@ public:
     /// value may have gone with a module that an override swapped, which a second origin tells of.
     bool leavesOut(const Place& key) const;
 
-    /// Where what stands under `section` is declared instead: "write it under params". Empty where
-    /// neither params nor features declare it.
+    /// Where what stands under `section` is declared instead: "write it under params"; or empty.
     std::string otherSection(const std::string& section, const std::string& name) const;
 
     /// Makes that warning of the error about it.
@@ -83,8 +79,7 @@ private:
 };
 
 /// The node behind an RFC 6901 pointer, and the position of each of its ancestors and itself among
-/// their siblings: comparing two such paths gives the order of the document. A pointer that leads
-/// nowhere gives null.
+/// their siblings: comparing such paths gives the document's order. Null where it leads nowhere.
 struct Located {
     const Node* node = nullptr;
     std::vector<std::size_t> path = {};
@@ -114,17 +109,12 @@ void checkNames(const Description& description, Report& report);
 std::set<std::string> checkReferences(const Node& document, const Description& description,
                                       Report& report);
 
-/// Reads the values under `sets` of features, of which CV2105, CV2106, CV2107, CV2204, CV4004 and
-/// those of values are reported, and gives each word what any of them sets.
-void readLevels(const Node& document, Description& description, Report& report);
-
 /// Reads each GLSL file that a shader or interface names, and what it includes, into
 /// `description.files`; the references become the keys there. Reports CV2104 and CV5005.
 void readShaderFiles(Description& description, Report& report);
 
 /// Errors CV2108 about params, targets and the like that the config's own file declares and nothing
-/// uses, neither a reference nor GLSL; warnings where a variant or a pointer's override was laid
-/// over the file. Requires the GLSL files.
+/// uses; warnings under a variant or a pointer's override. Requires the GLSL files.
 Diagnostics unusedNames(const Node& document, const Description& description,
                         std::set<std::string> referred);
 

@@ -3,16 +3,12 @@
 // visitor does with keys: missing, unknown, refused, badly named.
 #include "core/config/decode_reader.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/json/merge.h"
 
-#include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace crevice::table {
-
 namespace {
 
 // The largest whole number up to which a float holds every one: what an int param can be.
@@ -93,8 +89,7 @@ std::string wayToNumber(const Node& node, bool whole, const Rule& rule)
 bool isMacroName(std::string_view name)
 {
     return !name.empty() && isWordStart(name.front()) && name.substr(0, 3) != "GL_" &&
-           name.find("__") == std::string_view::npos &&
-           std::all_of(name.begin(), name.end(), isWord);
+           name.find("__") == std::string_view::npos && allOf(name, isWord);
 }
 
 // One GLSL line holds it with room to spare, and the shortest limit among drivers is far longer.
@@ -304,8 +299,8 @@ bool isName(std::string_view name)
 {
     const auto allowed = [](char c) { return isLower(c) || isDigit(c) || c == '_'; };
     return !name.empty() && isLower(name.front()) && name.size() <= kMaxNameBytes &&
-           std::all_of(name.begin(), name.end(), allowed) &&
-           name.find("__") == std::string_view::npos && name.substr(0, 3) != "gl_";
+           allOf(name, allowed) && name.find("__") == std::string_view::npos &&
+           name.substr(0, 3) != "gl_";
 }
 
 Place lastPlace(const Node& object)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of the table in core/config/fields.h: rules, enum spellings, and JSON forms that no C++
-// type says by itself.
+// The words of core/config/fields.h: rules, enum spellings, JSON forms that no C++ type says.
 #pragma once
 
 #include <crevice/config.h>
@@ -94,15 +93,5 @@ struct NumberOrName {
     T& number;
     Reference& name;
 };
-
-/// The member of a keyed entry that its JSON key fills, where the entry is not Named.
-inline Reference& keyOf(ClearDesc& clear) { return clear.target; }
-inline Reference& keyOf(Condition::Term& term) { return term.subject; }
-inline Reference& keyOf(PreservesConstantDesc& kept) { return kept.output; }
-inline Reference& keyOf(NoOpDesc& no_op) { return no_op.param; }
-inline Reference& keyOf(BypassDesc& bypass) { return bypass.output; }
-inline Reference& keyOf(NoOpDesc::Gives& gives) { return gives.output; }
-inline Reference& keyOf(FeatureDesc::Level& level) { return level.word; }
-inline Reference& keyOf(InputDesc& input) { return input.sampler; }
 
 }  // namespace crevice::table

@@ -59,11 +59,24 @@ void fields(V& v, FeatureDesc::Setting&)
     v.itself(Later(), "The value that it then has.");
 }
 
-template <class V>
-void fields(V& v, FeatureDesc::Level& l)
-{
-    v.itself(l.settings, "Params and other features by name.");
-}
+// Entries that are written as one value.
+#define CREVICE_VALUE(Desc, value, doc) \
+    template <class V> \
+    void fields(V& v, Desc& entry) \
+    { \
+        v.itself(value, doc); \
+    }
+CREVICE_VALUE(FeatureDesc::Level, entry.settings, "Params and other features by name.")
+CREVICE_VALUE(InterfaceDesc, entry.file, "The GLSL file that #include <name> stands for.")
+CREVICE_VALUE(ClearDesc, (Numbers{entry.value, 4, false, true}),
+              "One number for all channels or for depth, or a list of four numbers.")
+CREVICE_VALUE(Condition, Scalars{entry.values},
+              "The value that it must have, or a list of allowed values.")
+CREVICE_VALUE(BypassDesc, entry.input, "The input that replaces this output when the pass is off.")
+CREVICE_VALUE(PreservesConstantDesc, entry.sampler,
+              "The sampler that this output is filtered from.")
+CREVICE_VALUE(OutputDesc, entry.target, "The target behind the exported name.")
+#undef CREVICE_VALUE
 
 template <class V>
 void fields(V& v, FeatureDesc& f)
@@ -104,17 +117,17 @@ void fields(V& v, ImportDesc& i)
 template <class V>
 void fields(V& v, GeneratedDesc& g)
 {
-    v.field("generator", OneOf{g.generator, generatorNames()}, "What makes the numbers.",
+    v.field("generator", OneOf{g.generator, kGeneratorNames}, "What makes the numbers.",
             required());
     v.field("count", NumberOrName<int>{g.count, g.count_param},
             "How many offsets a kernel has, or pixels a side of the noise; or the name of an int "
             "param.",
             range(1, mostCount(g.generator)));
     v.field(
-        "shape", OneOf{g.shape, shapeNames()},
+        "shape", OneOf{g.shape, kShapeNames},
         "Where the offsets of a kernel lie: uniformly in a ball or a cube, or on rays, at random "
         "lengths.");
-    v.field("lengths", OneOf{g.lengths, lengthsNames()},
+    v.field("lengths", OneOf{g.lengths, kLengthsNames},
             "What offset i of n is multiplied by: 1, or from 0.1 to 1 by i / n or its square.");
     v.field("seed", g.seed, "The same seed gives the same numbers on every platform.");
 }
@@ -166,37 +179,6 @@ void fields(V& v, ShaderDesc& s)
     v.field("vertex", s.vertex, "GLSL file of the vertex stage.", required());
     v.field("fragment", s.fragment, "GLSL file of the fragment stage.", required());
     v.field("defines", s.defines, "Macros for these stages alone: numbers, booleans or text.");
-}
-
-template <class V>
-void fields(V& v, InterfaceDesc& i)
-{
-    v.itself(i.file, "The GLSL file that #include <name> stands for.");
-}
-
-template <class V>
-void fields(V& v, ClearDesc& c)
-{
-    v.itself(Numbers{c.value, 4, false, true},
-             "One number for all channels or for depth, or a list of four numbers.");
-}
-
-template <class V>
-void fields(V& v, Condition::Term& t)
-{
-    v.itself(Scalars{t.values}, "The value that it must have, or a list of allowed values.");
-}
-
-template <class V>
-void fields(V& v, BypassDesc& b)
-{
-    v.itself(b.input, "The input that replaces this output when the pass is off.");
-}
-
-template <class V>
-void fields(V& v, PreservesConstantDesc& k)
-{
-    v.itself(k.sampler, "The sampler that this output is filtered from.");
 }
 
 template <class V>
@@ -283,18 +265,12 @@ void fields(V& v, PassDesc& p)
     v.field("color", p.color, "Targets in the order of the shader's outputs, or just one.");
     v.field("depth", p.depth, "The target for depth.");
     v.field("clear", p.clear, "Values that attachments are cleared to before the pass draws.");
-    v.field("when", p.when.terms, "Features and traits that must hold for the pass to run.");
+    v.field("when", p.when, "Features and traits that must hold for the pass to run.");
     v.field("bypass", p.bypass, "Which input replaces an output when the pass is off.");
     workSaving(v, p);
     v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
     if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};
     v.field("state", p.state, "Fixed-function state.");
-}
-
-template <class V>
-void fields(V& v, OutputDesc& o)
-{
-    v.itself(o.target, "The target behind the exported name.");
 }
 
 template <class V>

@@ -5,14 +5,10 @@
 #include "core/base/text.h"
 #include "core/json/merge.h"
 
-#include <algorithm>
-
 namespace crevice {
-
 namespace {
 
-// Sections, and the key that a declaration has and a patch of one has not; none where every string
-// is a declaration.
+// Sections, and the key that declarations have and patches have not; none where strings declare.
 constexpr struct {
     const char* section;
     const char* key;
@@ -23,26 +19,22 @@ constexpr struct {
 
 bool declares(const std::string& section, const Node& entry)
 {
-    return std::any_of(std::begin(kSections), std::end(kSections), [&](const auto& each) {
+    return anyOf(kSections, [&](const auto& each) {
         return each.section == section &&
                (*each.key ? entry.find(each.key) != nullptr : entry.kind == Node::Kind::string);
     });
-}
-
-bool shares(const std::vector<std::string>& some, const std::vector<std::string>& others)
-{
-    return std::any_of(some.begin(), some.end(),
-                       [&](const std::string& each) { return contains(others, each); });
 }
 
 // The file that takes the place of `file`, or null.
 const LoadedFile* replacing(const LoadedFile& file, const std::vector<LoadedFile>& files)
 {
     const LoadedFile* last = nullptr;
-    for (const LoadedFile& other : files)
-        if (other.named > file.named && shares(file.needs, other.replaces) &&
+    for (const LoadedFile& other : files) {
+        const auto replaced = [&](const auto& need) { return contains(other.replaces, need); };
+        if (other.named > file.named && anyOf(file.needs, replaced) &&
             file.extended.count(other.identity) == 0 && (!last || other.named > last->named))
             last = &other;
+    }
     return last;
 }
 
@@ -50,7 +42,7 @@ void eraseNames(Node& object, const std::string& section, const Names& gone)
 {
     const auto is_gone = [&](const Member& each) { return gone.count({section, each.key}) > 0; };
     std::vector<Member>& members = object.members;
-    members.erase(std::remove_if(members.begin(), members.end(), is_gone), members.end());
+    eraseIf(members, is_gone);
 }
 
 // What a body or a variant says of these names, levels of features included.
@@ -74,14 +66,6 @@ std::string nameOf(const LoadedFile& file)
     return name;
 }
 
-Member reasonOf(const LoadedFile& file, const LoadedFile& by)
-{
-    return {nameOf(file), by.place,
-            textNode("it needs '" + joined(file.needs, "', '") + "', which '" + nameOf(by) +
-                         "' takes the place of",
-                     by.place)};
-}
-
 // What files declare that are not left out. Before `last`, what a file says of a name of a left out
 // file that it extends is a change of that one's, also where it reads as a declaration.
 Names declaredByOthers(const std::vector<LoadedFile>& files, const std::vector<bool>& out,
@@ -101,8 +85,7 @@ Names declaredByOthers(const std::vector<LoadedFile>& files, const std::vector<b
     return kept;
 }
 
-// What may be given only once: the GLSL of a shader, the file behind an interface. Null when
-// neither.
+// What may be given only once: a shader's GLSL, the file behind an interface. Null when neither.
 const Node* glslAt(const Node& body, const char* list, const std::string& name)
 {
     const Node* all = body.find(list);
@@ -162,13 +145,12 @@ std::optional<Diagnostic> clashIn(const std::vector<LoadedFile>& files)
             if (other.extended.count(one.identity) > 0) continue;
             const auto made = madeByBoth(one.body, other.body);
             if (!made) continue;
-            return Diagnostic{Code::module_clash,
-                              "'" + other.name + "' and '" + one.name + "' both make " + *made +
-                                  ", and neither extends the other",
-                              wayOut(files, one, other),
-                              other.place,
-                              other.pointer,
-                              {{one.place, "the other one was asked for here"}}};
+            Diagnostic clash{Code::module_clash,
+                             "'" + other.name + "' and '" + one.name + "' both make " + *made +
+                                 ", and neither extends the other",
+                             wayOut(files, one, other), other.place, other.pointer};
+            clash.notes.push_back({one.place, "the other one was asked for here"});
+            return clash;
         }
     return std::nullopt;
 }
@@ -183,7 +165,9 @@ Removal leaveOutReplaced(std::vector<LoadedFile>& files)
         out[i] = by != nullptr;
         if (!by) continue;
         collectNames(files[i].body, true, left_out.names);
-        left_out.files.push_back(reasonOf(files[i], *by));
+        const std::string reason = "it needs '" + joined(files[i].needs, "', '") + "', which '" +
+                                   nameOf(*by) + "' takes the place of";
+        left_out.files.push_back({nameOf(files[i]), by->place, textNode(reason, by->place)});
         last = std::max(last, static_cast<std::size_t>(by - files.data()));
     }
     if (left_out.files.empty()) return left_out;

@@ -4,11 +4,7 @@
 
 #include <crevice/document.h>
 
-#include <optional>
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace crevice {
 
@@ -33,8 +29,7 @@ void collectNames(const Node& body, bool all, Names& names);
 /// The first interface or shader that both files make, or nothing.
 std::optional<std::string> madeByBoth(const Node& one, const Node& other);
 
-/// CV1208 of two files that make the same, the last that were read: those before are often what
-/// they extend.
+/// CV1208 of two files that make the same, the last that were read: others often are extended.
 std::optional<Diagnostic> clashIn(const std::vector<LoadedFile>& files);
 
 /// What was left out of a config.

@@ -7,12 +7,8 @@
 #include "core/config/decode_report.h"
 #include "core/config/left_out.h"
 #include "core/json/merge.h"
-#include "core/json/override.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <optional>
-#include <set>
 #include <system_error>
 
 namespace crevice {
@@ -96,20 +92,16 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
     return missing;
 }
 
-std::vector<Member>::iterator findMember(Node& object, std::string_view key)
-{
-    return std::find_if(object.members.begin(), object.members.end(),
-                        [&](const Member& member) { return member.key == key; });
-}
-
 // Takes the member out of the object, where it has one.
-std::optional<Node> takeMember(Node& object, std::string_view key)
+std::optional<Member> takeMember(Node& object, std::string_view key)
 {
-    const auto at = findMember(object, key);
-    if (at == object.members.end()) return std::nullopt;
-    Node value = std::move(at->value);
-    object.members.erase(at);
-    return value;
+    for (auto at = object.members.begin(); at != object.members.end(); ++at) {
+        if (at->key != key) continue;
+        Member member = std::move(*at);
+        object.members.erase(at);
+        return member;
+    }
+    return std::nullopt;
 }
 
 Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer, std::string help)
@@ -133,15 +125,12 @@ bool swaps(const std::string& override)
 void checkTaken(Node& document, const std::string& where, const std::string& outer,
                 Diagnostics& errors)
 {
-    for (const char* key : {"extends", "variants", "needs", "replaces"}) {
-        const auto at = findMember(document, key);
-        if (at == document.members.end()) continue;
-        errors.push_back({Code::unknown_key,
-                          "found '" + at->key + "' in " + where + ", which cannot have it",
-                          "write it into a file of its own; --set OLD=NEW swaps a module",
-                          at->key_place, memberPointer(outer, key)});
-        document.members.erase(at);
-    }
+    for (const char* key : {"extends", "variants", "needs", "replaces"})
+        if (const std::optional<Member> taken = takeMember(document, key))
+            errors.push_back({Code::unknown_key,
+                              "found '" + taken->key + "' in " + where + ", which cannot have it",
+                              "write it into a file of its own; --set OLD=NEW swaps a module",
+                              taken->key_place, memberPointer(outer, key)});
 }
 
 // What distinguishes two files, by whatever path they were reached. A catalog path never begins
@@ -155,22 +144,23 @@ std::string identityOf(const SourceText& source)
 }
 
 // Reads a config's files, each once and each after all that it extends.
-class FileLoader {
-public:
-    FileLoader(const SourceSet& all, const LoadRequest& request) : sources(all), request_(request)
-    {
-    }
-
+struct FileLoader {
     const SourceSet& sources;
-    std::vector<LoadedFile> files;  // in the order of merging
-    std::string config;             // the identity of the config itself
-    Diagnostics errors;
+    const LoadRequest request;
+    std::vector<LoadedFile> files = {};  // in the order of merging
+    std::string config = {};             // the identity of the config itself
+    Diagnostics errors = {};
+    std::vector<LoadedFile> open = {};  // from the config to the file being read
+    int named = 0;                      // so many files, the same ones again included
+    bool full = false;                  // as `limits` say
+    std::vector<Override> swapped = {};
+    std::vector<std::string> extended = {};  // all that configs name
 
     // Reads the config and all that it extends. What it returns was left out.
     Removal run()
     {
         readSwaps();
-        const Result<SourceRef> found = findConfig(sources, request_);
+        const Result<SourceRef> found = findConfig(sources, request);
         if (!found) {
             errors = found.diagnostics();
             return {};
@@ -195,14 +185,13 @@ public:
         return nullptr;
     }
 
-private:
     void load(const SourceRef& found, const Place& asked, const std::string& pointer)
     {
         LoadedFile file{{found->name, asked, pointer}, identityOf(*found)};
         LoadedFile* const done = find(file.identity);
-        if (done) done->named = named_++;
+        if (done) done->named = named++;
         if (done || !mayOpen(file) || isFull(file)) return;
-        file.named = named_++;
+        file.named = named++;
         SourceText text = *found;
         if (asked.source) text.asked = std::make_shared<const Place>(asked);
         Result<Node> document = parseDocument(std::make_shared<const SourceText>(std::move(text)));
@@ -215,12 +204,12 @@ private:
             for (const Node& each : takeNames(*document, "replaces"))
                 file.replaces.push_back(each.text);
             file.variants = takeVariants(*document);
-            open_.push_back(std::move(file));
+            open.push_back(std::move(file));
             for (std::size_t i = 0; i < extends.size(); ++i)
                 if (extends[i].kind == Node::Kind::string)
-                    loadEntry(swapped(extends[i]), "/extends/" + std::to_string(i));
-            file = std::move(open_.back());
-            open_.pop_back();
+                    loadEntry(afterSwaps(extends[i]), "/extends/" + std::to_string(i));
+            file = std::move(open.back());
+            open.pop_back();
             file.body = std::move(*document);
         }
         files.push_back(std::move(file));
@@ -229,9 +218,9 @@ private:
     // What overrides lay over the config, as if it were at the end of its `extends`.
     void loadAdded()
     {
-        for (const std::string& text : request_.overrides) {
+        for (const std::string& text : request.overrides) {
             if (!adds(text)) continue;
-            const Place place = overridePlace(text, rootsOf(request_));
+            const Place place = overridePlace(text, rootsOf(request));
             if (text.size() == 1)
                 errors.push_back({Code::override_syntax, "found '+' where +MODULE was wanted",
                                   "write +geometry/host_depth", place});
@@ -242,9 +231,9 @@ private:
 
     void readSwaps()
     {
-        for (const std::string& text : request_.overrides) {
+        for (const std::string& text : request.overrides) {
             if (!swaps(text)) continue;
-            Result<Override> read = readOverride(text, rootsOf(request_));
+            Result<Override> read = readOverride(text, rootsOf(request));
             append(errors, read.diagnostics());
             if (read && read->value.kind != Node::Kind::string)
                 errors.push_back(
@@ -252,24 +241,24 @@ private:
                               "write the name of a module; to set a value, write its name "
                               "alone, or a path that begins with '/'"));
             else if (read)
-                swaps_.push_back(std::move(*read));
+                swapped.push_back(std::move(*read));
         }
     }
 
     // What an override puts in the place of an entry of `extends`. What modules extend is theirs.
-    const Node& swapped(const Node& entry)
+    const Node& afterSwaps(const Node& entry)
     {
         const std::string& file = entry.place.source->path;
         if (!file.empty() && !isRelative(file) && !startsWith(file, kConfigs)) return entry;
-        extends_.push_back(entry.text);
-        const Override* swap = findNamed(swaps_, entry.text);
+        extended.push_back(entry.text);
+        const Override* swap = findNamed(swapped, entry.text);
         return swap ? swap->value : entry;
     }
 
     // The targets and interfaces that a module and what it extends make.
     Names madeBy(const std::string& module) const
     {
-        FileLoader loader(sources, {R"({"format": 1, "extends": [)" + jsonString(module) + "]}"});
+        FileLoader loader{sources, {R"({"format": 1, "extends": [)" + jsonString(module) + "]}"}};
         loader.run();
         Names made;
         for (const LoadedFile& file : loader.files) collectNames(file.body, false, made);
@@ -279,21 +268,19 @@ private:
         return made;
     }
 
-    // One swap for another that makes nothing of the same names leaves a hole, of which each reader
-    // would be reported.
+    // A swap for what makes nothing of the same names leaves a hole that each reader would report.
     void checkSwaps()
     {
-        for (const Override& swap : swaps_) {
-            if (!contains(extends_, swap.name)) {
+        for (const Override& swap : swapped) {
+            if (!contains(extended, swap.name)) {
                 errors.push_back({Code::module_missing, "no config extends '" + swap.name + "'",
-                                  suggestName(swap.name, extends_, "modules to swap"), swap.place});
+                                  suggestName(swap.name, extended, "modules to swap"), swap.place});
                 continue;
             }
             const Names wanted = madeBy(swap.name);
             const auto serves = [&](const std::string& module) {
                 const Names made = madeBy(module);
-                return std::any_of(made.begin(), made.end(),
-                                   [&](const auto& each) { return wanted.count(each) > 0; });
+                return anyOf(made, [&](const auto& each) { return wanted.count(each) > 0; });
             };
             if (wanted.empty() || serves(swap.value.text)) continue;
             std::vector<std::string> others;
@@ -311,13 +298,13 @@ private:
     bool mayOpen(const LoadedFile& file)
     {
         std::string chain;
-        for (const LoadedFile& opened : open_)
+        for (const LoadedFile& opened : open)
             if (!chain.empty() || opened.identity == file.identity) chain += opened.name + " -> ";
         if (!chain.empty())
             errors.push_back({Code::module_cycle,
                               "'extends' leads back to itself: " + chain + file.name,
                               "take this entry out of 'extends'", file.place, file.pointer});
-        else if (open_.size() > kMaxExtendsDepth)
+        else if (open.size() > kMaxExtendsDepth)
             errors.push_back(
                 {Code::module_depth,
                  "found 'extends' more than " + std::to_string(kMaxExtendsDepth) + " deep",
@@ -330,14 +317,14 @@ private:
     // Whether no more files are read. The first that is one too many is reported.
     bool isFull(const LoadedFile& file)
     {
-        const int most = request_.limits.files;
-        if (static_cast<int>(files.size() + open_.size()) < most) return false;
-        if (!full_)
+        const int most = request.limits.files;
+        if (static_cast<int>(files.size() + open.size()) < most) return false;
+        if (!full)
             errors.push_back({Code::over_limit,
                               "the config extends more than " + std::to_string(most) + " files",
                               "merge some into one, or raise Limits::files (--limit files=N)",
                               file.place, file.pointer});
-        full_ = true;
+        full = true;
         return true;
     }
 
@@ -402,8 +389,8 @@ private:
         if (!found) return append(errors, found.diagnostics());
         load(*found, entry.place, pointer);
         const LoadedFile* theirs = find(identityOf(**found));
-        if (!theirs || open_.empty()) return;
-        std::set<std::string>& mine = open_.back().extended;
+        if (!theirs || open.empty()) return;
+        std::set<std::string>& mine = open.back().extended;
         mine.insert(theirs->identity);
         mine.insert(theirs->extended.begin(), theirs->extended.end());
     }
@@ -423,42 +410,36 @@ private:
     // The strings of a list: `extends`, `needs` or `replaces`.
     std::vector<Node> takeNames(Node& document, const char* key)
     {
-        const std::optional<Node> taken = takeMember(document, key);
+        const std::optional<Member> taken = takeMember(document, key);
         if (!taken) return {};
+        const Node& list = taken->value;
         const std::string pointer = memberPointer("", key);
-        if (taken->kind != Node::Kind::array)
-            errors.push_back(wrongType(*taken, "a list of names", pointer,
+        if (list.kind != Node::Kind::array)
+            errors.push_back(wrongType(list, "a list of names", pointer,
                                        "write it in brackets: [\"name\", ...]"));
-        for (std::size_t i = 0; i < taken->items.size(); ++i)
-            if (taken->items[i].kind != Node::Kind::string)
-                errors.push_back(wrongType(taken->items[i], "a name",
+        for (std::size_t i = 0; i < list.items.size(); ++i)
+            if (list.items[i].kind != Node::Kind::string)
+                errors.push_back(wrongType(list.items[i], "a name",
                                            pointer + "/" + std::to_string(i),
                                            "write a name in double quotes"));
-        return taken->items;
+        return list.items;
     }
 
     std::vector<Member> takeVariants(Node& document)
     {
-        std::optional<Node> taken = takeMember(document, "variants");
+        std::optional<Member> taken = takeMember(document, "variants");
         if (!taken) return {};
-        if (taken->kind != Node::Kind::object)
-            errors.push_back(wrongType(*taken, "an object of variants", "/variants",
+        if (taken->value.kind != Node::Kind::object)
+            errors.push_back(wrongType(taken->value, "an object of variants", "/variants",
                                        "write {\"name\": {what to change}, ...}"));
-        for (const Member& variant : taken->members)
+        for (const Member& variant : taken->value.members)
             if (variant.value.kind != Node::Kind::object)
                 errors.push_back(wrongType(variant.value, "an object",
                                            memberPointer("/variants", variant.key),
                                            "write what to change, as in the config itself: "
                                            "{\"params\": ...}"));
-        return std::move(taken->members);
+        return std::move(taken->value.members);
     }
-
-    const LoadRequest request_;
-    std::vector<LoadedFile> open_;  // from the config to the file being read
-    int named_ = 0;                 // so many files, the same ones again included
-    bool full_ = false;             // as `limits` say
-    std::vector<Override> swaps_;
-    std::vector<std::string> extends_;  // all that configs name
 };
 
 std::vector<std::string> variantsOf(const std::vector<LoadedFile>& files)
@@ -485,40 +466,31 @@ void applyVariant(Node& document, const std::vector<LoadedFile>& files, const Lo
                       "/variants"});
 }
 
-// Lets the document remember it as it does what patches deleted.
-void noteLeftOut(Node& document, const Removal& left_out)
-{
-    for (const Member& each : left_out.files) document.deleted.push_back(each);
-    for (const auto& [section, name] : left_out.names)
-        if (Node* entries = document.find(section))
-            entries->deleted.push_back({name, left_out.place, {}});
-}
+}  // namespace
 
-// An override's module has a name, too, which is not the config's.
-void keepOwnName(Node& document, const Node& own)
+Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& asked)
 {
-    for (const char* key : {"name", "description"})
-        if (const Node* value = own.find(key))
-            if (Node* merged = document.find(key)) *merged = *value;
-}
-
-// What the files make together, as the request says.
-Result<Node> mergeFiles(FileLoader& loader, const LoadRequest& request, const Removal& left_out)
-{
+    const LoadRequest request = spreadOut(asked);
+    FileLoader loader{sources, request};
+    const Removal left_out = loader.run();
     if (!loader.errors.empty()) return loader.errors;  // merging what is not whole adds false ones
     Node document;
     document.kind = Node::Kind::object;
     Diagnostics errors;
     for (const LoadedFile& file : loader.files) mergePatch(document, file.body, errors);
-    noteLeftOut(document, left_out);
+    for (const Member& each : left_out.files) document.deleted.push_back(each);
+    for (const auto& [section, name] : left_out.names)
+        if (Node* entries = document.find(section))
+            entries->deleted.push_back({name, left_out.place, {}});
     const Node& own = loader.find(loader.config)->body;
     document.place = own.place;
-    keepOwnName(document, own);
+    for (const char* key : {"name", "description"})  // an override's module has them too
+        if (const Node* value = own.find(key))
+            if (Node* merged = document.find(key)) *merged = *value;
     const auto changes_structure = [](const std::string& text) {
         return startsWith(text, "/") || swaps(text);
     };
-    const bool changed =
-        std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure);
+    const bool changed = anyOf(request.overrides, changes_structure);
     document.origins.assign(changed ? 2 : request.variant.empty() ? 0 : 1, document.place);
     if (!request.variant.empty()) applyVariant(document, loader.files, request, errors);
     for (const std::string& text : request.overrides) {
@@ -528,7 +500,7 @@ Result<Node> mergeFiles(FileLoader& loader, const LoadRequest& request, const Re
             for (const char* section : {"params", "features"})
                 if (each.code == Code::unknown_param)
                     each.help =
-                        table::declaredBy(loader.sources, section, text.substr(0, text.find('='))) +
+                        table::declaredBy(sources, section, text.substr(0, text.find('='))) +
                         each.help;
         append(errors, found);
     }
@@ -538,34 +510,9 @@ Result<Node> mergeFiles(FileLoader& loader, const LoadRequest& request, const Re
     return document;
 }
 
-}  // namespace
-
-Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& asked)
-{
-    const LoadRequest request = spreadOut(asked);
-    FileLoader loader(sources, request);
-    const Removal left_out = loader.run();
-    return mergeFiles(loader, request, left_out);
-}
-
-void loadVariants(const SourceSet& sources, const LoadRequest& asked,
-                  const std::function<void(const std::string& variant, Result<Node>)>& each)
-{
-    LoadRequest request = spreadOut(asked);
-    request.variant.clear();
-    FileLoader loader(sources, request);
-    const Removal left_out = loader.run();
-    each("", mergeFiles(loader, request, left_out));
-    if (!loader.errors.empty()) return;
-    for (const std::string& variant : variantsOf(loader.files)) {
-        request.variant = variant;
-        each(variant, mergeFiles(loader, request, left_out));
-    }
-}
-
 std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& asked)
 {
-    FileLoader loader(sources, spreadOut({asked.config, {}, {}, asked.roots, asked.limits}));
+    FileLoader loader{sources, spreadOut(asked)};
     loader.run();
     return variantsOf(loader.files);
 }

@@ -2,14 +2,12 @@
 // What a value may be, and what becomes of it where the config changes.
 #include "core/config/values.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/sampling/generators.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace crevice {
-
 namespace {
 
 Diagnostic paramError(Code code, const ParamDesc& param, const std::string& what, std::string help)
@@ -125,7 +123,7 @@ void applyLevel(Description& description, std::string_view feature)
 {
     const FeatureDesc& setter = *findNamed(description.features, feature);
     for (const FeatureDesc::Level& level : setter.sets) {
-        if (level.word.name != setter.values[setter.value]) continue;
+        if (level.name != setter.values[setter.value]) continue;
         for (const FeatureDesc::Setting& each : level.settings) {
             const int param = indexOf(description.params, each.name);
             const int other = indexOf(description.features, each.name);

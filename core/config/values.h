@@ -4,9 +4,6 @@
 
 #include <crevice/config.h>
 
-#include <array>
-#include <vector>
-
 namespace crevice {
 
 /// In the order of the description's lists.

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Cameras: which of them can be drawn with, their matrices as shaders see them, and where draws lie
-// in their views, by the spheres around them.
+// Cameras: those that can be drawn with, their matrices for shaders, where spheres lie in views.
 #include "core/frame/frame_math.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace crevice {
-
 namespace {
 
 // Volume of the columns over the product of their lengths: below this a double's rounding is all
@@ -27,8 +24,7 @@ bool invertible(const glm::dmat4& columns)
 }
 
 // `clip_from_view` as it would be under OpenGL's own clip control, with w the distance or 1, as
-// shaders count on. In double: of a far plane the numbers from 0 to 1 keep what those from -1 to 1
-// round away.
+// shaders count on. In double: numbers from 0 to 1 keep of a far plane what -1 to 1 round away.
 glm::dmat4 plainClip(const Camera& camera)
 {
     const ClipControl control = camera.clip_control.value_or(ClipControl());
@@ -68,8 +64,7 @@ bool looksForward(const Camera& camera)
     return of_z.w < 0.0f || mirrors(camera.view_from_world);
 }
 
-// Whether a box lies along +z and depth grows that way, under a view along -z: all that it shows is
-// then behind the eye.
+// Whether a box lies along +z, as depth grows, under a view along -z: all is behind the eye.
 bool liesBehind(const Camera& camera)
 {
     return camera.orthographic() && camera.leftHanded() && !isLeftHanded(camera) &&

@@ -3,19 +3,14 @@
 #include <crevice/frame.h>
 
 #include "core/frame/frame_math.h"
-#include "core/frame/frame_values.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 namespace crevice {
-
 namespace {
 
 // Least difference of a spot's cosines: its edge is then as sharp as a float shows.
@@ -84,8 +79,7 @@ std::optional<Diagnostic> meshFault(const DrawItem& item, const Device& device)
     return std::nullopt;
 }
 
-// Why an item cannot be drawn; nothing where it can. Allocates only where there is something to
-// say.
+// Why an item cannot be drawn; nothing where it can. Allocates only to say something.
 std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, const Device& device)
 {
     if (std::optional<Diagnostic> fault = meshFault(item, device)) return fault;
@@ -100,8 +94,7 @@ constexpr double kFarthestPlane = 1 << 20;
 
 bool withinTwice(double a, double b) { return a <= 2 * b && b <= 2 * a; }
 
-// The distance of the plane at which clip z is w times `side`; infinite where there is none in
-// front.
+// The distance of the plane at which clip z is w times `side`; infinite where none is in front.
 double planeDistance(const glm::dmat4& clip_from_view, double side)
 {
     const glm::dvec4 of_z = clip_from_view[2], of_1 = clip_from_view[3];
@@ -244,7 +237,7 @@ const Camera& cameraOf(const Frame& frame, std::size_t view)
 bool SceneTraits::operator==(const SceneTraits& other) const
 {
     const auto same = [&](const TraitInfo& t) { return t.value(*this) == t.value(other); };
-    return camera == other.camera && std::all_of(std::begin(kTraits), std::end(kTraits), same);
+    return camera == other.camera && allOf(kTraits, same);
 }
 
 bool CameraRange::operator==(const CameraRange& other) const

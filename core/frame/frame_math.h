@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: MIT
 // What a frame's matrices become before a shader sees them. Products and inverses are made in
 // double: a camera far from the origin would otherwise shake by the last bits of its position.
+//
+// And the names that a frame gives to GLSL and to conditions: the values of <crevice/frame.h>, and
+// traits. The one list of each: decode knows the names by it, compile the types and defines, the
+// value table the layout. findNamed looks them up.
 #pragma once
 
 #include <crevice/frame.h>
 
+#include "core/base/text.h"
+
 #include <glm/mat3x3.hpp>
+
+#include <limits>
 
 namespace crevice {
 
 /// A camera's matrices and their inverses, in the view space of shaders: x points right and y up on
-/// the picture, and the view looks along -z. Depth in clip space is twice that in the window,
-/// less 1.
+/// the picture, and the view looks along -z. Depth in clip space is 2 * window depth - 1.
 struct CameraMatrices {
     glm::dmat4 clip_from_view;
     glm::dmat4 view_from_clip;
@@ -73,12 +80,10 @@ bool isOutside(const ViewSphere& sphere, const ViewVolume& volume);
 /// true of an infinite one, nor of what has no bounds.
 bool isBelowPixel(const ViewSphere& sphere, const glm::dmat4& clip_from_view, double reach);
 
-/// The distance at which a `length` in scene units is a pixel of a view of `extent`; of parallel
-/// rays, pixels that it is at any.
+/// The distance at which a `length` is a pixel of a view of `extent`; of parallel rays its pixels.
 double pixelReach(const glm::dmat4& clip_from_view, const Extent& extent, double length);
 
-/// A part of a view in shares of its width and height, from the lower left; empty where right <
-/// left.
+/// A part of a view in shares of its size, from the lower left; empty where right < left.
 struct ViewArea {
     double left = 0, bottom = 0, right = 1, top = 1;
 };
@@ -129,5 +134,106 @@ bool isDrawable(const Frame& frame, const DrawItem& item, const Device& device);
 /// A warning CV6011 for each of the draws and lights that a frame does without, and why; draws past
 /// the eighth are only counted. Items of no indices are no draws.
 Diagnostics warnElided(const Frame& frame, const Device& device);
+
+// The frame's values: their names in GLSL, types, elements, of which more than 1 are an array, and
+// imports that they come from; none for the pass itself.
+#define CREVICE_FRAME_VALUES(VALUE) \
+    VALUE(clip_from_view, mat4, 1, ImportType::camera) \
+    VALUE(view_from_clip, mat4, 1, ImportType::camera) \
+    VALUE(view_from_window, mat4, 1, ImportType::camera) \
+    VALUE(view_from_world, mat4, 1, ImportType::camera) \
+    VALUE(world_from_view, mat4, 1, ImportType::camera) \
+    VALUE(view_from_host, mat3, 1, ImportType::camera) \
+    VALUE(light_count, int_, 1, ImportType::lights) \
+    VALUE(light_position, vec4, kMaxLights, ImportType::lights) \
+    VALUE(light_color, vec3, kMaxLights, ImportType::lights) \
+    VALUE(light_attenuation, vec3, kMaxLights, ImportType::lights) \
+    VALUE(light_cone, vec4, kMaxLights, ImportType::lights) \
+    VALUE(ambient_light, vec3, 1, ImportType::lights) \
+    VALUE(viewport_size, vec2, 1, std::nullopt) \
+    VALUE(ray_from_pixel, mat3, 1, ImportType::camera) \
+    VALUE(history_valid, float_, 1, std::nullopt) \
+    VALUE(frame_index, int_, 1, std::nullopt) \
+    VALUE(previous_view_from_view, mat4, 1, ImportType::camera) \
+    VALUE(previous_clip_from_view, mat4, 1, ImportType::camera) \
+    VALUE(clip_from_model, mat4, 1, ImportType::draw_list) \
+    VALUE(view_from_model, mat4, 1, ImportType::draw_list) \
+    VALUE(view_normal_from_model, mat3, 1, ImportType::draw_list) \
+    VALUE(base_color, vec4, 1, ImportType::draw_list) \
+    VALUE(alpha_cutoff, float_, 1, ImportType::draw_list) \
+    VALUE(specular, vec3, 1, ImportType::draw_list) \
+    VALUE(shininess, float_, 1, ImportType::draw_list) \
+    VALUE(material_ambient, float_, 1, ImportType::draw_list) \
+    VALUE(normal_scale, float_, 1, ImportType::draw_list) \
+    VALUE(occlusion_strength, float_, 1, ImportType::draw_list)
+
+enum FrameValue : std::size_t {
+#define CREVICE_NAME(name, ...) name,
+    CREVICE_FRAME_VALUES(CREVICE_NAME)
+#undef CREVICE_NAME
+        frame_value_count,
+};
+
+struct FrameValueInfo {
+    const char* name;  ///< In GLSL.
+    GlslType type;
+    int count;                         ///< Elements; more than 1 is an array.
+    std::optional<ImportType> import;  ///< Where it comes from; none for the pass itself.
+};
+
+/// By FrameValue.
+inline constexpr FrameValueInfo kFrameValues[] = {
+#define CREVICE_INFO(name, type, count, from) {#name, GlslType::type, count, from},
+    CREVICE_FRAME_VALUES(CREVICE_INFO)
+#undef CREVICE_INFO
+};
+
+/// A fact about the scene that conditions and shaders may depend on: a flag, or a count of at most
+/// `most`, of which true means at least one.
+struct TraitInfo {
+    const char* name;    ///< In conditions.
+    const char* define;  ///< In GLSL, where it is `value`.
+    bool SceneTraits::*flag = nullptr;
+    int SceneTraits::*count = nullptr;
+    int most = 1;
+
+    int value(const SceneTraits& traits) const
+    {
+        return flag ? traits.*flag : std::min(traits.*count, most);
+    }
+    void set(SceneTraits& traits, int value) const
+    {
+        if (flag)
+            traits.*flag = value != 0;
+        else
+            traits.*count = value;
+    }
+};
+
+inline constexpr TraitInfo kTraits[] = {
+    {"scene.lights", "SCENE_LIGHTS", nullptr, &SceneTraits::lights, kMaxLights},
+    {"scene.alpha_tested", "SCENE_ALPHA_TESTED", &SceneTraits::alpha_tested},
+    {"scene.specular", "SCENE_SPECULAR", &SceneTraits::specular},
+    {"scene.textured", "SCENE_TEXTURED", &SceneTraits::textured},
+    {"camera.orthographic", "CAMERA_ORTHOGRAPHIC", &SceneTraits::orthographic},
+    {"camera.turned", "CAMERA_TURNED", &SceneTraits::turned},
+    {"camera.reversed_depth", "CAMERA_REVERSED_DEPTH", &SceneTraits::reversed_depth},
+    {"camera.views", "CAMERA_VIEWS", nullptr, &SceneTraits::views, std::numeric_limits<int>::max()},
+    {"scene.normal_mapped", "SCENE_NORMAL_MAPPED", &SceneTraits::normal_mapped},
+    {"scene.baked_occlusion", "SCENE_BAKED_OCCLUSION", &SceneTraits::baked_occlusion},
+    {"scene.material_ambient", "SCENE_MATERIAL_AMBIENT", &SceneTraits::material_ambient},
+};
+
+/// A texture that a material may have.
+struct MaterialMapInfo {
+    const char* name;  ///< Of the sampler in GLSL.
+    TextureId Material::*texture;
+};
+
+inline constexpr MaterialMapInfo kMaterialMaps[] = {
+    {"base_color_map", &Material::base_color_map},
+    {"normal_map", &Material::normal_map},
+    {"occlusion_map", &Material::occlusion_map},
+};
 
 }  // namespace crevice

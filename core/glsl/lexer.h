@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // GLSL text as lines and tokens: the ground under the preprocessor and the scan.
 //
-// Everything here keeps lines and columns as the author wrote them, since all that comes later
-// points back at them.
+// Everything here keeps the author's lines and columns, since all later steps point back at them.
 #pragma once
 
 #include <string>

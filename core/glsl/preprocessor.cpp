@@ -4,10 +4,7 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
-
 namespace crevice {
-
 namespace {
 
 /// Files that include files that include files ...: keeps the recursion off the stack's end.
@@ -33,70 +30,69 @@ struct Branch {
     bool in_else = false;
 };
 
-class Preprocessor {
-public:
-    Preprocessor(const std::map<std::string, SourceRef>& files,
-                 const std::map<std::string, std::string>& interfaces, GlslUnit& unit)
-        : files_(files),
-          interfaces_(interfaces),
-          unit_(unit)
-    {
-    }
+struct Preprocessor {
+    const std::map<std::string, SourceRef>& files;
+    const std::map<std::string, std::string>& interfaces;
+    GlslUnit& unit;
+    std::vector<Branch> branches = {};
+    std::vector<std::string> paths = {};  ///< By source-string number.
+    std::vector<int> opened = {};         ///< The files being read, from the root on.
+    std::set<std::string> seen = {};      ///< All files that were read.
+    std::set<std::string, std::less<>> undefined = {};
+    bool stopped = false;  ///< Nothing more can be said about this text.
 
     void readFile(const std::string& path)
     {
-        const SourceRef& source = files_.at(path);
-        const std::size_t outer_branches = branches_.size();
-        open_.push_back(int(paths_.size()));
-        paths_.push_back(path);
-        seen_.insert(path);
-        unit_.files.push_back(source);
+        const SourceRef& source = files.at(path);
+        const std::size_t outer_branches = branches.size();
+        opened.push_back(int(paths.size()));
+        paths.push_back(path);
+        seen.insert(path);
+        unit.files.push_back(source);
         if (file() > 0) writeLine(1);
 
         BlankedText blanked = blankComments(source->text);
         if (blanked.open_line > 0)
             fail(Code::preprocessor, "a comment begins here and does not end",
                  {source, blanked.open_line, 1, 1}, "add '*/'");
-        unit_.blanked.push_back(std::move(blanked.text));
-        for (const GlslLine& line : glslLines(unit_.blanked.back(), file()))
-            if (!stopped_) readLine(line);
+        unit.blanked.push_back(std::move(blanked.text));
+        for (const GlslLine& line : glslLines(unit.blanked.back(), file()))
+            if (!stopped) readLine(line);
 
-        for (; branches_.size() > outer_branches; branches_.pop_back())
-            if (!stopped_)
-                fail("this #" + std::string(branches_.back().opened.text) + " has no #endif",
-                     branches_.back().opened, "add '#endif' where what depends on it ends");
-        open_.pop_back();
+        for (; branches.size() > outer_branches; branches.pop_back())
+            if (!stopped)
+                fail("this #" + std::string(branches.back().opened.text) + " has no #endif",
+                     branches.back().opened, "add '#endif' where what depends on it ends");
+        opened.pop_back();
     }
 
-private:
     void mention(const GlslToken& token)
     {
-        if (token.kind == GlslToken::Kind::identifier) unit_.mentioned.insert(token.text);
+        if (token.kind == GlslToken::Kind::identifier) unit.mentioned.insert(token.text);
     }
 
-    bool active() const { return branches_.empty() || branches_.back().active; }
-    int file() const { return open_.back(); }
+    bool active() const { return branches.empty() || branches.back().active; }
+    int file() const { return opened.back(); }
 
     void fail(Code code, std::string message, const Place& place, std::string help)
     {
-        unit_.errors.push_back({code, std::move(message), std::move(help), place});
-        stopped_ = stopped_ || unit_.errors.size() == kMaxDiagnostics;
+        unit.errors.push_back({code, std::move(message), std::move(help), place});
+        stopped = stopped || unit.errors.size() == kMaxDiagnostics;
     }
 
     void fail(std::string message, const GlslToken& token, std::string help = {})
     {
-        fail(Code::preprocessor, std::move(message), placeOf(token, unit_.files), std::move(help));
+        fail(Code::preprocessor, std::move(message), placeOf(token, unit.files), std::move(help));
     }
 
     void readLine(const GlslLine& line)
     {
-        if (unit_.version.empty()) return readFirstLine(line);
+        if (unit.version.empty()) return readFirstLine(line);
         if (line.isDirective()) return readDirective(line);
-        unit_.text += line.text;
+        unit.text += line.text;
         for (const GlslToken& token : line.tokens) {
             mention(token);
-            if (active() && !stopped_ && !unit_.macros.expand(token, unit_.tokens))
-                spentSteps(token);
+            if (active() && !stopped && !unit.macros.expand(token, unit.tokens)) spentSteps(token);
         }
     }
 
@@ -113,34 +109,34 @@ private:
             fail("the text begins with '" + std::string(utf8Prefix(shown, kShownBytes)) +
                      "', wanted '#version 300 es' or '#version 310 es'",
                  tokens[0], kVersionHelp);
-            stopped_ = true;
+            stopped = true;
             return;
         }
-        unit_.version = std::string(tokens[2].text) + " es";
+        unit.version = std::string(tokens[2].text) + " es";
         writeLine(line.line + line.count);
-        unit_.macros.define("__VERSION__", {tokens[2]});
+        unit.macros.define("__VERSION__", {tokens[2]});
     }
 
     void readDirective(const GlslLine& line)
     {
         if (line.directive() == "include") return readIncludeLine(line);
-        unit_.text += line.text;
+        unit.text += line.text;
         for (const GlslToken& token : line.tokens) mention(token);
         if (readBranch(line) || !active()) return;
         if (line.directive() == "define") readDefine(line);
         if (line.directive() == "extension") readExtension(line);
         if (line.directive() != "undef") return;
-        if (const GlslToken* name = onlyName(line)) unit_.macros.undefine(name->text);
+        if (const GlslToken* name = onlyName(line)) unit.macros.undefine(name->text);
     }
 
     void readExtension(const GlslLine& line)
     {
-        if (!unit_.tokens.empty())
+        if (!unit.tokens.empty())
             fail("this #extension stands below code", line.tokens[1], "move it up to #version");
         if (line.tokens.size() < 4 || !line.tokens.back().is("require")) return;
         fail("no device need have the extension '" + std::string(line.tokens[2].text) + "'",
              line.tokens[2], "write ': enable', and #ifdef around what uses it");
-        unit_.errors.back().severity = Severity::warning;
+        unit.errors.back().severity = Severity::warning;
     }
 
     /// True when the line is one of the directives of an #if.
@@ -152,10 +148,10 @@ private:
             return true;
         }
         if (name != "elif" && name != "else" && name != "endif") return false;
-        if (branches_.empty() || branches_.back().opened.file != file())
+        if (branches.empty() || branches.back().opened.file != file())
             fail("#" + std::string(name) + " without an #if in this file", line.tokens[1]);
         else if (name == "endif")
-            branches_.pop_back();
+            branches.pop_back();
         else
             turnBranch(line);
         return true;
@@ -169,14 +165,14 @@ private:
         if (branch.outer && line.directive() == "if")
             branch.active = condition(line);
         else if (const GlslToken* name = branch.outer ? onlyName(line) : nullptr)
-            branch.active = unit_.macros.defined(name->text) == (line.directive() == "ifdef");
+            branch.active = unit.macros.defined(name->text) == (line.directive() == "ifdef");
         branch.taken = branch.active;
-        branches_.push_back(branch);
+        branches.push_back(branch);
     }
 
     void turnBranch(const GlslLine& line)
     {
-        Branch& branch = branches_.back();
+        Branch& branch = branches.back();
         const bool last = line.directive() == "else";
         if (last && line.tokens.size() > 2)
             fail("#else takes no condition", line.tokens[2], "write #elif with the condition");
@@ -193,7 +189,7 @@ private:
     {
         const GlslToken* end = line.tokens.data() + line.tokens.size();
         GlslTokens expanded;
-        if (!unit_.macros.expandCondition(line.tokens.data() + 2, end, expanded)) {
+        if (!unit.macros.expandCondition(line.tokens.data() + 2, end, expanded)) {
             spentSteps(line.tokens[1]);
             return false;
         }
@@ -207,13 +203,13 @@ private:
     void blameCondition(const GlslLine& line, const GlslTokens& condition)
     {
         for (const GlslToken& token : condition) {
-            if (token.kind != GlslToken::Kind::identifier || unit_.macros.defined(token.text))
+            if (token.kind != GlslToken::Kind::identifier || unit.macros.defined(token.text))
                 continue;
-            std::string help = suggestName(token.text, unit_.macros.names(), "defined");
+            std::string help = suggestName(token.text, unit.macros.names(), "defined");
             if (help.find("did you mean") == help.npos)
                 help = "declare feature '" + lowerCase(token.text) +
                        "', or such a param with bind 'define'";
-            if (undefined_.emplace(token.text).second)
+            if (undefined.emplace(token.text).second)
                 fail("a condition has '" + std::string(token.text) + "', which is not defined",
                      token, help.substr(0, help.find(" defined:")));
             return;
@@ -244,7 +240,7 @@ private:
         if (ends || (tokens.size() > 3 && tokens[3].is("=")))
             fail("#define takes all that follows the name, '=' and ';' too", name,
                  "write the value alone: #define TAPS 4");
-        unit_.macros.define(name.text, {tokens.begin() + 3, tokens.end()}, arguments);
+        unit.macros.define(name.text, {tokens.begin() + 3, tokens.end()}, arguments);
     }
 
     /// The line itself never reaches the driver: blank lines, or the file, stand in for it.
@@ -253,18 +249,18 @@ private:
         GlslInclude include;
         std::string path;
         const bool wanted = active();
-        const bool read = readInclude(line, unit_.files[std::size_t(file())], include);
+        const bool read = readInclude(line, unit.files[std::size_t(file())], include);
         if (wanted && !read) fail("this #include cannot be read", line.tokens[1], kIncludeHelp);
         if (!wanted || !read || !resolve(include, path) || inRing(include, path) ||
-            seen_.count(path)) {
-            unit_.text.append(std::size_t(line.count), '\n');
+            seen.count(path)) {
+            unit.text.append(std::size_t(line.count), '\n');
             return;
         }
-        if (!endsWith(path, ".glsl") && files_.at(path)->text.find("#version") != path.npos)
+        if (!endsWith(path, ".glsl") && files.at(path)->text.find("#version") != path.npos)
             fail(Code::preprocessor, "found an #include of a shader, which has a main of its own",
                  include.place, "move what both need into a .glsl file, and include that in both");
-        if (open_.size() == kMaxIncludeDepth) {
-            stopped_ = true;
+        if (opened.size() == kMaxIncludeDepth) {
+            stopped = true;
             return fail(Code::include_cycle,
                         "found #include more than " + std::to_string(kMaxIncludeDepth) + " deep",
                         include.place, "let the shader include what it needs itself");
@@ -276,19 +272,19 @@ private:
     /// Says that what follows is that line of the file being read.
     void writeLine(int line)
     {
-        unit_.text += "#line " + std::to_string(file() * kLinesPerFile + line) + " " +
-                      std::to_string(file()) + "\n";
+        unit.text += "#line " + std::to_string(file() * kLinesPerFile + line) + " " +
+                     std::to_string(file()) + "\n";
     }
 
     /// Finds the path of an include among the files. False, with an error, when there is none.
     bool resolve(const GlslInclude& include, std::string& path)
     {
-        const auto interface = interfaces_.find(include.name);
+        const auto interface = interfaces.find(include.name);
         if (!include.interface)
-            path = resolvePath(paths_[std::size_t(file())], include.name);
-        else if (interface != interfaces_.end())
+            path = resolvePath(paths[std::size_t(file())], include.name);
+        else if (interface != interfaces.end())
             path = interface->second;
-        if (files_.count(path)) return true;
+        if (files.count(path)) return true;
         fail(Code::include_missing, "#include names '" + include.name + "', which does not exist",
              include.place, kIncludeHelp);
         return false;
@@ -297,12 +293,12 @@ private:
     /// True, with an error, when the file is being read already.
     bool inRing(const GlslInclude& include, const std::string& path)
     {
-        const auto first = std::find_if(open_.begin(), open_.end(), [&](int number) {
-            return paths_[std::size_t(number)] == path;
+        const auto first = std::find_if(opened.begin(), opened.end(), [&](int number) {
+            return paths[std::size_t(number)] == path;
         });
-        if (first == open_.end()) return false;
+        if (first == opened.end()) return false;
         std::string chain;
-        for (auto at = first; at != open_.end(); ++at) chain += paths_[std::size_t(*at)] + " -> ";
+        for (auto at = first; at != opened.end(); ++at) chain += paths[std::size_t(*at)] + " -> ";
         fail(Code::include_cycle, "an #include leads back to itself: " + chain + path,
              include.place, "move what both need into a third file");
         return true;
@@ -310,20 +306,10 @@ private:
 
     void spentSteps(const GlslToken& token)
     {
-        stopped_ = true;
+        stopped = true;
         fail("macros expand without end", token,
              "shorten the chain of #defines that this one begins");
     }
-
-    const std::map<std::string, SourceRef>& files_;
-    const std::map<std::string, std::string>& interfaces_;
-    GlslUnit& unit_;
-    std::vector<Branch> branches_;
-    std::vector<std::string> paths_;  ///< By source-string number.
-    std::vector<int> open_;           ///< The files being read, from the root on.
-    std::set<std::string> seen_;      ///< All files that were read.
-    std::set<std::string, std::less<>> undefined_;
-    bool stopped_ = false;  ///< Nothing more can be said about this text.
 };
 
 }  // namespace
@@ -341,12 +327,10 @@ void preprocess(const std::map<std::string, SourceRef>& files,
         unit.errors.push_back({Code::file_missing, "there is no shader file '" + path + "'"});
         return;
     }
-    Preprocessor(files, interfaces, unit).readFile(path);
+    Preprocessor{files, interfaces, unit}.readFile(path);
     if (unit.version.empty() && unit.errors.empty())
-        unit.errors.push_back({Code::preprocessor,
-                               "the text is empty, wanted a shader",
-                               kVersionHelp,
-                               {unit.files[0], 1, 1, 1}});
+        unit.errors.push_back({Code::preprocessor, "the text is empty, wanted a shader",
+                               kVersionHelp, Place{unit.files[0], 1, 1, 1}});
 }
 
 Place placeOf(const GlslToken& token, const std::vector<SourceRef>& files)

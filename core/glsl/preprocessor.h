@@ -12,7 +12,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <optional>
 #include <set>
 
 namespace crevice {
@@ -27,8 +26,7 @@ constexpr int kMaxMacroDepth = 256;
 /// The macros that are defined at one point of the text.
 class GlslMacros {
 public:
-    /// From the start those of `offered` are, which must outlive this; each is read when it is
-    /// first asked for.
+    /// From the start those of `offered` are, which must outlive this; each is read when asked for.
     explicit GlslMacros(const std::map<std::string, std::string>& offered) : offered_(offered) {}
 
     /// A function-like macro counts as defined and is not expanded.
@@ -39,12 +37,10 @@ public:
     /// All names that are defined.
     std::vector<std::string> names();
 
-    /// Appends `token`, or what it stands for, at the place of `token`. False when a limit is
-    /// reached.
+    /// Appends `token`, or what it stands for, at its place. False when a limit is reached.
     bool expand(const GlslToken& token, GlslTokens& out);
 
-    /// Expands the condition of an #if, where `defined X` and `defined(X)` become 1 or 0. False
-    /// when a limit is reached.
+    /// Expands the condition of an #if: `defined X` becomes 1 or 0. False when a limit is reached.
     bool expandCondition(const GlslToken* begin, const GlslToken* end, GlslTokens& out);
 
 private:
@@ -90,18 +86,13 @@ struct GlslUnit {
     std::deque<std::string> blanked;  ///< What tokens and names point into; a deque never moves it.
 };
 
-/// Fills `unit` from the stage that begins in `files.at(path)`. The errors are those of
-/// assembleStage.
+/// Fills `unit` from the stage that begins in `files.at(path)`. Errors: those of assembleStage.
 void preprocess(const std::map<std::string, SourceRef>& files,
                 const std::map<std::string, std::string>& interfaces, const std::string& path,
                 GlslUnit& unit);
 
 /// Where a token stands; nowhere when it comes from no file.
 Place placeOf(const GlslToken& token, const std::vector<SourceRef>& files);
-
-/// Appends the uniforms and outputs that `unit` declares at its outermost level to `stage`, and
-/// what is wrong with them to `unit.errors`: array sizes and locations that cannot be read.
-void scanDeclarations(GlslUnit& unit, GlslStage& stage);
 
 /// Reads an #include line of `source`. False when it is malformed.
 bool readInclude(const GlslLine& line, const SourceRef& source, GlslInclude& include);

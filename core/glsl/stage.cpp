@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Shader stages from GLSL files, and their declarations: enough of its grammar to read uniforms and
-// outputs.
+// Shader stages from GLSL files, and enough of the grammar to read their uniforms and outputs.
 #include <crevice/glsl_stage.h>
 
 #include "core/base/text.h"
 #include "core/glsl/preprocessor.h"
 
-#include <algorithm>
-#include <optional>
-
 namespace crevice {
-
 namespace {
 
 /// In the order of GlslType.
@@ -60,45 +55,42 @@ struct Qualifiers {
     int location = -1;
 };
 
-class Scanner {
-public:
-    Scanner(GlslUnit& unit, GlslStage& stage)
-        : unit_(unit),
-          stage_(stage),
-          at_(unit.tokens.data()),
-          end_(at_ + unit.tokens.size())
-    {
-    }
+// Appends the uniforms and outputs that `unit` declares at its outermost level to `stage`, and
+// what is wrong with them to `unit.errors`: array sizes and locations that cannot be read.
+struct Scanner {
+    GlslUnit& unit;
+    GlslStage& stage;
+    const GlslToken* at = unit.tokens.data();
+    const GlslToken* const end = at + unit.tokens.size();
 
     void run()
     {
         refuseLongArrays();
-        while (at_ != end_ && unit_.errors.size() < kMaxDiagnostics) {
+        while (at != end && unit.errors.size() < kMaxDiagnostics) {
             const Qualifiers qualifiers = readQualifiers();
             if (qualifiers.uniform || qualifiers.output) readDeclaration(qualifiers);
             skipStatement();
         }
     }
 
-private:
-    bool here(std::string_view text) const { return at_ != end_ && at_->is(text); }
+    bool here(std::string_view text) const { return at != end && at->is(text); }
 
     void fail(std::string message, const GlslToken& token, std::string help)
     {
-        unit_.errors.push_back(
-            {Code::preprocessor, std::move(message), std::move(help), placeOf(token, unit_.files)});
+        unit.errors.push_back(
+            {Code::preprocessor, std::move(message), std::move(help), placeOf(token, unit.files)});
     }
 
     /// Sizes that are numbers, or constants that are.
     void refuseLongArrays()
     {
         std::set<std::string_view> large;
-        for (const GlslToken* token = at_; end_ - token > 2; ++token) {
+        for (const GlslToken* token = at; end - token > 2; ++token) {
             const bool constant =
-                token->is("=") && token > at_ + 1 && endsWith(token[-2].text, "int");
+                token->is("=") && token > at + 1 && endsWith(token[-2].text, "int");
             if (!constant && !token->is("[")) continue;
             const GlslToken* last = token + 1;
-            while (last != end_ && last - token < 16 && !last->is("]") && !last->is(";")) ++last;
+            while (last != end && last - token < 16 && !last->is("]") && !last->is(";")) ++last;
             const bool long_ = evaluate(token + 1, last).value_or(0) > kMaxElements;
             if (constant && long_) large.insert(token[-1].text);
             if (!constant && (long_ || large.count(token[1].text) > 0))
@@ -110,16 +102,16 @@ private:
     Qualifiers readQualifiers()
     {
         Qualifiers qualifiers;
-        for (; at_ != end_; ++at_) {
-            if (at_->is("layout"))
+        for (; at != end; ++at) {
+            if (at->is("layout"))
                 readLayout(qualifiers);
-            else if (!isQualifier(at_->text))
+            else if (!isQualifier(at->text))
                 break;
-            else if (at_->is("uniform"))
+            else if (at->is("uniform"))
                 qualifiers.uniform = true;
-            else if (at_->is("out"))
+            else if (at->is("out"))
                 qualifiers.output = true;
-            if (at_ == end_) break;
+            if (at == end) break;
         }
         return qualifiers;
     }
@@ -127,11 +119,11 @@ private:
     /// Leaves the cursor at the closing parenthesis.
     void readLayout(Qualifiers& qualifiers)
     {
-        ++at_;
+        ++at;
         const GlslToken* close = closing("(", ")");
-        for (; at_ != close; ++at_) {
-            if (!at_->is("location") || close - at_ < 3 || !at_[1].is("=")) continue;
-            const GlslToken* value = at_ + 2;
+        for (; at != close; ++at) {
+            if (!at->is("location") || close - at < 3 || !at[1].is("=")) continue;
+            const GlslToken* value = at + 2;
             const GlslToken* last = value;
             while (last != close && !last->is(",")) ++last;
             const auto location = evaluate(value, last);
@@ -147,86 +139,80 @@ private:
     /// Reads `type name, name[4], ...` up to the semicolon.
     void readDeclaration(const Qualifiers& qualifiers)
     {
-        if (at_ == end_ || at_->kind != GlslToken::Kind::identifier) return;
-        const GlslToken& type = *at_++;
+        if (at == end || at->kind != GlslToken::Kind::identifier) return;
+        const GlslToken& type = *at++;
         const bool block = here("{") || type.is("struct");
         if (block && qualifiers.uniform)
-            stage_.blocks.push_back(
-                {std::string(type.text), GlslType::other, 1, false, placeOf(type, unit_.files)});
+            stage.blocks.push_back(
+                {std::string(type.text), GlslType::other, 1, false, placeOf(type, unit.files)});
         if (block) return;
 
         GlslUniform common;
         common.type = glslTypeFromName(type.text);
         common.spelling = type.text;
         readArray(common);
-        while (at_ != end_ && at_->kind == GlslToken::Kind::identifier) {
-            if (stage_.uniforms.size() + stage_.outputs.size() == kMaxDeclared) {
+        while (at != end && at->kind == GlslToken::Kind::identifier) {
+            if (stage.uniforms.size() + stage.outputs.size() == kMaxDeclared) {
                 fail("found more than " + std::to_string(kMaxDeclared) + " uniforms and outputs",
-                     *at_, "make arrays of them; no device has room for so many");
-                at_ = end_;
+                     *at, "make arrays of them; no device has room for so many");
+                at = end;
                 return;
             }
             GlslUniform variable = common;
-            variable.name = at_->text;
-            variable.place = placeOf(*at_++, unit_.files);
+            variable.name = at->text;
+            variable.place = placeOf(*at++, unit.files);
             readArray(variable);
-            const int next = int(stage_.outputs.size());
+            const int next = int(stage.outputs.size());
             const int location = qualifiers.location < 0 ? next : qualifiers.location;
             if (qualifiers.uniform)
-                stage_.uniforms.push_back(std::move(variable));
+                stage.uniforms.push_back(std::move(variable));
             else
-                stage_.outputs.push_back(
+                stage.outputs.push_back(
                     {std::move(variable.name), location, variable.place, variable.type});
             if (!here(",")) return;
-            ++at_;
+            ++at;
         }
     }
 
     void readArray(GlslUniform& variable)
     {
         if (!here("[")) return;
-        const GlslToken& open = *at_;
+        const GlslToken& open = *at;
         const GlslToken* close = closing("[", "]");
-        const auto count = evaluate(at_ + 1, close);
+        const auto count = evaluate(at + 1, close);
         variable.array = true;
         if (count && *count > 0 && *count <= kMaxArray)
             variable.count = int(*count);
         else
             fail("the array size of '" + variable.name + "'" +
-                     (close == at_ + 2 ? ", '" + std::string(at_[1].text) + "'," : "") +
+                     (close == at + 2 ? ", '" + std::string(at[1].text) + "'," : "") +
                      " cannot be read, wanted a whole number of at least 1",
                  open,
                  "an array size has numbers and #defines only: a param with bind 'define' is one");
-        at_ = close == end_ ? end_ : close + 1;
+        at = close == end ? end : close + 1;
     }
 
     /// The sign that closes the one at the cursor, or the end.
     const GlslToken* closing(std::string_view open, std::string_view close) const
     {
         int depth = 0;
-        for (const GlslToken* token = at_; token != end_; ++token) {
+        for (const GlslToken* token = at; token != end; ++token) {
             if (token->is(open)) ++depth;
             if (token->is(close) && --depth == 0) return token;
         }
-        return end_;
+        return end;
     }
 
     /// Leaves the cursor behind the next semicolon or the body that comes before it.
     void skipStatement()
     {
-        while (at_ != end_ && !here(";") && !here("{")) ++at_;
-        if (here("{")) at_ = closing("{", "}");
-        if (at_ != end_) ++at_;
+        while (at != end && !here(";") && !here("{")) ++at;
+        if (here("{")) at = closing("{", "}");
+        if (at != end) ++at;
     }
-
-    GlslUnit& unit_;
-    GlslStage& stage_;
-    const GlslToken* at_;
-    const GlslToken* end_;
 };
 
-// What a line of GLSL that is `layout(...) out type name;` and no more is as a plain variable;
-// nothing of any other.
+// What a line `layout(...) out type name;` is as a plain variable; nothing of any other line.
 std::optional<std::string> plainVariable(std::string_view line, const std::string& name)
 {
     GlslTokens tokens;
@@ -283,7 +269,7 @@ Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
     GlslUnit unit{defines};
     GlslStage stage;
     preprocess(files, interfaces, path, unit);
-    if (!hasErrors(unit.errors)) scanDeclarations(unit, stage);
+    if (!hasErrors(unit.errors)) Scanner{unit, stage}.run();
     if (hasErrors(unit.errors)) return std::move(unit.errors);
     stage.defines_used = usedDefines(defines, unit);
     stage.text = "#version " + unit.version + "\n";
@@ -304,13 +290,10 @@ bool dropOutput(GlslStage& stage, const std::string& name)
         if (!plain) continue;
         text.replace(begin, line.size(), *plain);
         const auto same = [&](const GlslOutput& output) { return output.name == name; };
-        stage.outputs.erase(std::remove_if(stage.outputs.begin(), stage.outputs.end(), same),
-                            stage.outputs.end());
+        eraseIf(stage.outputs, same);
         return true;
     }
     return false;
 }
-
-void scanDeclarations(GlslUnit& unit, GlslStage& stage) { Scanner(unit, stage).run(); }
 
 }  // namespace crevice

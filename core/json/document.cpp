@@ -3,18 +3,13 @@
 #include <crevice/document.h>
 
 #include "core/base/files.h"
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/json/merge.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <map>
 
 namespace crevice {
-
 namespace {
 
 constexpr std::size_t kMaxShown = 40;  // bytes of an offending token in a message
@@ -118,10 +113,8 @@ public:
     {
         Node root;
         if (at_ == text_.size())
-            return Diagnostic{Code::empty_text,
-                              "found nothing but white space and comments",
-                              "begin with { \"format\": 1 }",
-                              {source_, 1, 1}};
+            return Diagnostic{Code::empty_text, "found nothing but white space and comments",
+                              "begin with { \"format\": 1 }", placeAt(source_, 0)};
         if (read(root, "a value", "a document begins with '{'") && at_ < text_.size())
             fail("the end of the text", "a text holds one value, an object within braces");
         if (errors_.empty()) return root;
@@ -304,23 +297,16 @@ private:
             std::string ignored;
             const std::size_t length = here() == '"' ? readString(ignored) : wordLength();
             if (length == 0) return false;
-            error.message = "found " + quotedToken(text_.substr(at_, length)) + codeOf(at_) +
-                            " where " + wanted + " was wanted";
+            const std::string found = codePoint(text_, at_) < 0x80
+                                          ? quotedToken(text_.substr(at_, length))
+                                          : characterName(text_, at_);
+            error.message = "found " + found + " where " + wanted + " was wanted";
             error.help = helpFor(wanted, help);
             error.place = placeAt(source_, at_, length);
         }
         if (container && (at_ == text_.size() || here() == ']' || here() == '}'))
             error.notes.push_back({container->place, "the " + kind + " begins here"});
         return stop(std::move(error));
-    }
-
-    // " (U+00A0)" of a character that is not ASCII.
-    std::string codeOf(std::size_t at) const
-    {
-        char name[16] = "";
-        const std::uint32_t code = codePoint(text_, at);
-        if (code >= 0x80) std::snprintf(name, sizeof(name), " (U+%04X)", unsigned(code));
-        return name;
     }
 
     // The way out of what is here, where it is a common slip.
@@ -364,12 +350,10 @@ private:
         for (const Member& member : open_[open]->members) {
             const auto [known, fresh] = first.emplace(member.key, member.key_place);
             if (fresh) continue;
-            errors_.push_back({Code::duplicate_key,
-                               "found the key '" + member.key + "' a second time",
-                               "keep one of them",
-                               member.key_place,
-                               memberPointer(pointer(open), member.key),
-                               {{known->second, "the first one is here"}}});
+            errors_.push_back(
+                {Code::duplicate_key, "found the key '" + member.key + "' a second time",
+                 "keep one of them", member.key_place, memberPointer(pointer(open), member.key)});
+            errors_.back().notes.push_back({known->second, "the first one is here"});
         }
     }
 
@@ -390,10 +374,9 @@ Status checkText(const SourceRef& source)
 {
     const std::string_view text = source->text;
     if (text.size() > kMaxDocumentBytes)
-        return Diagnostic{Code::too_large,
-                          "found more than the 1048576 bytes (1 MiB) that are read",
-                          "is this a config? the largest of them has a few thousand bytes",
-                          {source, 1, 1}};
+        return Diagnostic{
+            Code::too_large, "found more than the 1048576 bytes (1 MiB) that are read",
+            "is this a config? the largest of them has a few thousand bytes", placeAt(source, 0)};
     if (startsWith(text, "\xEF\xBB\xBF"))
         return Diagnostic{Code::bad_utf8, "found a byte order mark",
                           "save the file as UTF-8 without a byte order mark",

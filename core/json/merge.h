@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Merging documents: RFC 7396 merge patches that remember where each value came from.
+// Merging documents: RFC 7396 merge patches that remember where each value came from; and
+// overrides, single values laid over a merged document, as `--set` takes them.
 #pragma once
 
 #include <crevice/document.h>
@@ -24,13 +25,41 @@ Diagnostic tooManyMembers(const Place& place, std::string pointer);
 void mergePatch(Node& base, const Node& patch, Diagnostics& errors,
                 const std::string& pointer = {});
 
-/// The smallest patch that makes `now` of `base`; it has no member where they are the same.
-/// Requires two objects.
+/// The smallest patch that makes `now` of `base`. Requires two objects.
 Node patchBetween(const Node& base, const Node& now);
 
-/// The help where a value stands and an object with some of `keys` is wanted: the object that was
-/// surely meant.
+/// The help where an object with some of `keys` is wanted: the one that `value` surely means.
 std::string wayToObject(std::string_view pointer, const Node& value,
                         const std::vector<std::string>& keys);
+
+/// The path of an override's text in a SourceText, whose files stand in the current folder.
+constexpr const char* kOverridePath = "./--set";
+
+/// "name=value", read.
+struct Override {
+    std::string name;
+    Place place;  ///< Of the name, in a text called "--set name=value".
+    Node value;
+};
+
+/// Where an override's text stands, as readOverride has it.
+Place overridePlace(const std::string& text, const std::vector<std::string>& roots = {});
+
+/// Reads the value by parseValue; files that it names lie below the current folder or `roots`.
+///
+/// Errors: CV1206 when there is no name or no value, CV1001 to CV1006 for the value.
+Result<Override> readOverride(const std::string& text, const std::vector<std::string>& roots = {});
+
+/// The keys that lead to each value that a word of a feature gives the param or feature of that
+/// name: {"features", "quality", "sets", "low", "steps"}.
+std::vector<std::vector<std::string>> levelPaths(const Node& document, const std::string& name);
+
+/// Applies "radius=0.8", which sets the default of the param or feature of that name and the value
+/// at each level that sets it, or "/passes/blur/when=null", which sets or deletes what an RFC 6901
+/// pointer names and makes the objects on the way.
+///
+/// Errors: those of readOverride and of any patch, and CV4004 when nothing has the name.
+Status applyOverride(Node& document, const std::string& text,
+                     const std::vector<std::string>& roots = {});
 
 }  // namespace crevice

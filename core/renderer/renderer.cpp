@@ -2,14 +2,9 @@
 // The renderer: keeps a description's plan in step with params, size and scene, and runs it.
 #include <crevice/renderer.h>
 
-#include "core/base/text.h"
 #include "core/compile/depth_precision.h"
 #include "core/config/values.h"
-#include "core/frame/frame_math.h"
 #include "core/run/execution.h"
-
-#include <algorithm>
-#include <array>
 
 namespace crevice {
 namespace {
@@ -27,7 +22,7 @@ bool changesPlan(const Description& description, const ParamDesc& param,
     for (const PassDesc& pass : description.passes) {
         if (pass.frustum_scale_param.name == param.name) return true;
         for (const NoOpDesc& no_op : pass.no_op)
-            if (no_op.param.name == param.name &&
+            if (no_op.name == param.name &&
                 isAll(param.value, param.type, no_op.at) != isAll(next, param.type, no_op.at))
                 return true;
     }
@@ -72,16 +67,13 @@ struct Renderer::State {
     Result<State> with(Description other, const CompileOptions& options,
                        const SceneTraits& scene) const;
 
-    /// Compiles the programs that the words of features which set values would need, so that
-    /// setting them compiles none. Warns of what fails there.
+    /// Compiles the programs of all levels, so that setting one compiles none. Warns of what fails.
     Diagnostics prepareLevels();
 
-    /// Whether the plan's formats are those that would be chosen for such a scene. Allocates
-    /// nothing.
+    /// Whether the plan's formats are those chosen for such a scene. Allocates nothing.
     bool formatsHold(const SceneTraits& scene) const;
 
-    /// Makes this fit the frame's traits and textures, or leaves it where that fails. The warnings
-    /// of a new plan come back.
+    /// Makes this fit the frame, or leaves it where that fails. A new plan's warnings come back.
     Status prepare(const Frame& frame);
 
     /// Becomes `with` its arguments, or stays where that fails.
@@ -125,7 +117,7 @@ Diagnostics Renderer::State::prepareLevels()
 bool Renderer::State::formatsHold(const SceneTraits& scene) const
 {
     const Plan& plan = execution->plan();
-    return std::all_of(plan.targets.begin(), plan.targets.end(), [&](const PlanTarget& target) {
+    return allOf(plan.targets, [&](const PlanTarget& target) {
         const TargetDesc& desc = *findNamed(description.targets, target.name);
         return chooseFormat(description, desc, scene, device->caps(), options.extent.height) ==
                plan.textures[target.texture].format;
@@ -196,7 +188,7 @@ const Frame& Renderer::asHostDraws(const Frame& frame)
                formatInfo(formatFromName(import.format)).format_class == FormatClass::depth;
     };
     const auto& imports = plan().imports;
-    const bool reads_depth = std::any_of(imports.begin(), imports.end(), is_depth);
+    const bool reads_depth = anyOf(imports, is_depth);
     const DepthRange range = reads_depth ? device.depthRange() : DepthRange();
     if (control == ClipControl() && range == DepthRange()) return frame;
     clipped_ = frame;

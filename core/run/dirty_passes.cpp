@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/run/dirty_passes.h"
 
-#include <algorithm>
+#include "core/base/text.h"
 
 namespace crevice {
 
@@ -24,8 +24,7 @@ PassCache::PassCache(const Plan& plan)
             if (color.target >= 0) node.writes.push_back(color.target);
         if (pass.has_depth && pass.depth.target >= 0 && !isMasked(pass))
             node.writes.push_back(pass.depth.target);
-        node.remembers =
-            node.remembers || std::any_of(node.writes.begin(), node.writes.end(), remembered);
+        node.remembers = node.remembers || anyOf(node.writes, remembered);
     }
 }
 
@@ -49,8 +48,7 @@ const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
             const PassNode& pass = passes_[i];
             const auto redrawn = [&](int target) { return runs_[writerOf(view, target)] != 0; };
             const int run = runOf(view, static_cast<int>(i));
-            runs_[run] = changed[run] || pass.remembers ||
-                         std::any_of(pass.reads.begin(), pass.reads.end(), redrawn);
+            runs_[run] = changed[run] || pass.remembers || anyOf(pass.reads, redrawn);
         }
     do next_slots_ = slots_;
     while (findOverwritten());

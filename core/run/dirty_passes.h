@@ -7,8 +7,6 @@
 
 #include <crevice/plan.h>
 
-#include <vector>
-
 namespace crevice {
 
 class PassCache {

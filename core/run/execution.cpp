@@ -2,16 +2,9 @@
 // Running a prepared plan: no allocation, no creation, no decision that could be made before.
 #include "core/run/execution.h"
 
-#include "core/frame/frame_math.h"
-
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
-#include <cstring>
-#include <limits>
-
 namespace crevice {
-
 namespace {
 
 /// Null where there is none of that name, or a null id behind it.
@@ -154,7 +147,11 @@ Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
 {
     if (Status status = device_.beginFrame(); !status) return status;
     const std::vector<char>& chosen = begin(frame, all);
-    clearNewHistories();
+    // Before the first frame histories hold what the memory held, which may be no number: not even
+    // a shader that multiplies by `history_valid` could read that.
+    for (const PreparedPass& pass : runs_)
+        if (!remembers_ && pass.odd_frame.id()) clearHistory(pass);
+    remembers_ = true;
     timers.beginFrame();
     for (std::size_t run = 0; run < runs_.size(); ++run) {
         const PreparedView& view = views_[runs_[run].view];
@@ -185,15 +182,6 @@ const std::vector<char>& Execution::begin(const Frame& frame, bool all)
         pass.imports_changed = false;
     }
     return cache_.choose(changed_);
-}
-
-// Before the first frame histories hold whatever the memory held: not even a shader that multiplies
-// by `history_valid` could read that, for it may be no number.
-void Execution::clearNewHistories()
-{
-    for (const PreparedPass& pass : runs_)
-        if (!remembers_ && pass.odd_frame.id()) clearHistory(pass);
-    remembers_ = true;
 }
 
 /// Puts the view's values into the table. Whether its camera is another than in the last frame.
@@ -285,7 +273,12 @@ void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
     values_.setViewport(pass.info.extent);
     PassInfo info = pass.info;
     info.within_area = pass.plan->scissor;
-    if (pass.plan->scissor) info.area = areaOf(pass);
+    if (pass.plan->scissor) {
+        const int length = pass.plan->cull_below_pixel;
+        constexpr double kAny = std::numeric_limits<double>::infinity();
+        const double least = length >= 0 ? values_.param(length) : kAny;
+        info.area = pixelsOf(view_draws_.area(info.extent, least), info.extent);
+    }
     device_.beginPass(info);
     if (!pass.plan->scissor || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
         device_.setProgram(pass.program, pass.state);
@@ -355,18 +348,8 @@ bool Execution::updateDraws(const Frame& frame)
     for (std::size_t i = 0; i < frame.materials.size(); ++i)
         take(isFinite(frame.materials[i]) ? frame.materials[i] : no_material, drawn_.materials[i]);
     drawn_.elided = drawn_.elided || !isFinite(frame.ambient_light) ||
-                    !std::all_of(frame.lights.begin(), frame.lights.end(),
-                                 [](const Light& light) { return isFinite(light); });
+                    !allOf(frame.lights, [](const Light& light) { return isFinite(light); });
     return changed;
-}
-
-/// Where a bounded pass is drawn.
-PixelArea Execution::areaOf(const PreparedPass& pass)
-{
-    const Extent& extent = pass.info.extent;
-    const int length = pass.plan->cull_below_pixel;
-    constexpr double kAny = std::numeric_limits<double>::infinity();
-    return pixelsOf(view_draws_.area(extent, length >= 0 ? values_.param(length) : kAny), extent);
 }
 
 void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)

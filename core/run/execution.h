@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A plan's objects on a device, and the commands that a frame of it consists of.
 //
-// It knows the plan alone, not where that is from. Everything that can fail or allocate happens in
-// `create`; `run` walks flat lists of prepared commands.
+// Knows the plan alone. All that can fail or allocate is in `create`; `run` walks flat lists.
 #pragma once
-
-#include <crevice/frame.h>
-#include <crevice/plan.h>
 
 #include "core/gpu/owned.h"
 #include "core/run/dirty_passes.h"
-#include "core/run/draw_warnings.h"
 #include "core/run/pass_timers.h"
 #include "core/run/view_draws.h"
-
-#include <memory>
-#include <vector>
 
 namespace crevice {
 
@@ -34,12 +26,10 @@ public:
     static Result<std::unique_ptr<Execution>> create(Device& device, Plan plan,
                                                      const Execution* previous = nullptr);
 
-    /// Makes those programs of another plan that this has none of, and keeps them for it.
-    /// Errors: the device's.
+    /// Makes programs that another plan has and this has not, and keeps them. Errors: the device's.
     Status prepare(const Plan& other);
 
-    /// Takes the host's textures for the plan's imports. Requires a frame of the plan's views.
-    /// Errors: CV6010, CV6011; then nothing changed.
+    /// Takes a frame's textures, of the plan's views. Errors: CV6010, CV6011; then nothing changed.
     Status setImports(const Frame& frame);
 
     /// Draws what has changed of the plan since the last frame. Requires that `checkFrame` had
@@ -50,15 +40,13 @@ public:
     /// All passes of it, changed or not, with a wait before the frame and the time of each pass.
     Result<FrameTimes> runTimed(const Frame& frame);
 
-    /// Has `run` measure its passes from now on, by timers read some frames later. False where the
-    /// device has none, or too few for the plan.
+    /// Has `run` measure passes from now on, read some frames later. False without timers enough.
     bool setTiming(bool on);
 
     /// What the latest frame took whose results are in; null before there are any.
     const FrameTimes* times() const { return timers_.latest(); }
 
-    /// Sets a param of the plan, to as many floats as its type has. Nothing happens where the plan
-    /// has none of that name: then no pass uses it.
+    /// Sets a param of the plan to as many floats as its type has. Does nothing if no pass uses it.
     void setParam(std::string_view name, const float* values);
 
     TextureId output(std::string_view name, int view) const;
@@ -118,10 +106,9 @@ private:
         int turns = 0;  // frames in a row in which two cameras took turns
     };
 
-    Execution(Device& device, Plan plan);
+    Execution(Device& device, Plan plan) : device_(device), plan_(std::move(plan)) {}
 
     // execution_build.cpp
-    Status build(const Execution* previous);
     Status createTextures();
     Status createGenerated();
     Status createPrograms(const Execution* previous);
@@ -145,7 +132,6 @@ private:
     Status draw(const Frame& frame, PassTimers& timers, bool all);
     const std::vector<char>& begin(const Frame& frame, bool all);
     bool beginView(const Frame& frame, PreparedView& view, const Camera& camera);
-    void clearNewHistories();
     void setView(const Frame& frame, const PreparedView& view);
     Status end(const Frame& frame);
     bool takeUniforms(PreparedPass& pass);
@@ -158,18 +144,17 @@ private:
 
     // execution.cpp, draws
     bool updateDraws(const Frame& frame);
-    PixelArea areaOf(const PreparedPass& pass);
     void runDraws(const PreparedPass& pass, const CameraMatrices& camera);
     void setDraw(const PreparedPass& pass, std::size_t draw, SentDraw& sent);
     void drawByHost(const PreparedPass& pass, const DrawItem& item);
 
     Device& device_;
     Plan plan_;
-    ValueTable values_;
-    PassCache cache_;
+    ValueTable values_{plan_};
+    PassCache cache_{plan_};
     PassTimers timers_;
-    std::vector<char> changed_;  // by run, for cache_
-    DrawnList drawn_;            // what draw passes drew last
+    std::vector<char> changed_ = std::vector<char>(plan_.passes.size() * plan_.views);  // by run
+    DrawnList drawn_;  // what draw passes drew last
     ViewDraws view_draws_{drawn_};
     DrawWarnings warnings_{plan_};
     bool swapped_ = false;    // whether histories and their targets have changed places
@@ -185,7 +170,7 @@ private:
     // By key: the plan's, then the idle ones, the latest first.
     std::vector<std::pair<std::string, SharedProgram>> programs_;
     std::vector<PreparedPass> runs_;  // the plan's passes for each view in turn
-    std::vector<PreparedView> views_;
+    std::vector<PreparedView> views_ = std::vector<PreparedView>(plan_.views);
 };
 
 }  // namespace crevice

@@ -3,9 +3,6 @@
 #include "core/run/execution.h"
 #include "core/sampling/generators.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace crevice {
 namespace {
 
@@ -15,13 +12,6 @@ bool uses(const Plan& plan, InputKind kind)
         for (const PlanInput& input : pass.inputs)
             if (input.kind == kind) return true;
     return false;
-}
-
-const PlanInput* inputOf(const PlanPass& pass, std::string_view sampler)
-{
-    for (const PlanInput& input : pass.inputs)
-        if (input.sampler == sampler) return &input;
-    return nullptr;
 }
 
 PassInfo passInfo(const PlanPass& pass)
@@ -48,28 +38,14 @@ PassInfo passInfo(const PlanPass& pass)
 Result<std::unique_ptr<Execution>> Execution::create(Device& device, Plan plan,
                                                      const Execution* previous)
 {
-    std::unique_ptr<Execution> execution(new Execution(device, std::move(plan)));
-    if (Status status = execution->build(previous); !status) return status.diagnostics();
-    return execution;
-}
-
-Execution::Execution(Device& device, Plan plan)
-    : device_(device),
-      plan_(std::move(plan)),
-      values_(plan_),
-      cache_(plan_),
-      changed_(plan_.passes.size() * plan_.views),
-      views_(plan_.views)
-{
-}
-
-Status Execution::build(const Execution* previous)
-{
-    Status status = createTextures();
-    if (status) status = createGenerated();
-    if (status) status = createPrograms(previous);
-    for (int view = 0; status && view < plan_.views; ++view) status = createPasses(view);
-    return status;
+    std::unique_ptr<Execution> made(new Execution(device, std::move(plan)));
+    Status status = made->createTextures();
+    if (status) status = made->createGenerated();
+    if (status) status = made->createPrograms(previous);
+    for (int view = 0; status && view < made->plan_.views; ++view)
+        status = made->createPasses(view);
+    if (!status) return status.diagnostics();
+    return made;
 }
 
 Status Execution::createTextures()
@@ -89,8 +65,8 @@ Status Execution::createTextures()
     const auto create = [&](const char* label, float value, Owned<TextureId>& texture) {
         if (status) status = createFilled(label, Format::rgba8, Image({1, 1}, 4, value), texture);
     };
-    for (const PlanConstant& constant : plan_.constants)
-        create("constant", constant.value, constants_.emplace_back());
+    for (const float constant : plan_.constants)
+        create("constant", constant, constants_.emplace_back());
     if (uses(plan_, InputKind::material)) create("white", 1.0f, white_);
     if (uses(plan_, InputKind::imported)) create("black", 0.0f, black_);
     return status;
@@ -111,16 +87,12 @@ Status Execution::createGenerated()
     for (const GeneratorDesc& each : plan_.generated) {
         generated_.emplace_back();
         if (!generatesTexture(each.generator)) {
-            const bool hemisphere = each.generator == "hemisphere_kernel";
-            const auto kernel =
-                makeKernel({hemisphere, each.count, each.shape, each.lengths, each.seed});
+            const auto kernel = makeKernel(each);
             if (!kernel) return kernel.diagnostics();
             values_.setKernel(generated_.size() - 1, *kernel);
             continue;
         }
-        Result<Image> noise = each.generator == "vector_noise"
-                                  ? makeVectorNoise(each.count, each.seed)
-                                  : makeRotationNoise(each.count, each.seed);
+        const Result<Image> noise = makeNoise(each);
         if (!noise) return noise.diagnostics();
         // Half floats: every OpenGL ES 3.0 device samples and filters them, and -1 to 1 fits.
         if (Status status = createFilled(each.name, Format::rgba16f, *noise, generated_.back());
@@ -260,7 +232,7 @@ TextureId Execution::textureOf(const PlanInput& input, int view, bool swapped) c
 void Execution::bindUniform(const UniformInfo& active, PreparedPass& prepared, Diagnostics& errors)
 {
     const PlanPass& pass = *prepared.plan;
-    const PlanInput* input = isSampler(active.type) ? inputOf(pass, active.name) : nullptr;
+    const PlanInput* input = isSampler(active.type) ? findNamed(pass.inputs, active.name) : nullptr;
     if (input) return bindTexture(*input, active, prepared);
     const PlanUniform* uniform = findNamed(pass.uniforms, active.name);
     if (!uniform || uniform->type != active.type) {
@@ -292,14 +264,11 @@ Diagnostic Execution::unbound(const PlanPass& pass, const UniformInfo& active,
 void Execution::bindTexture(const PlanInput& input, const UniformInfo& uniform,
                             PreparedPass& prepared)
 {
-    TextureBinding binding;
-    binding.location = uniform.location;
+    const int unit = static_cast<int>(&input - prepared.plan->inputs.data());
+    TextureBinding binding{uniform.location, unit, textureOf(input, prepared.view, false),
+                           textureOf(input, prepared.view, true), input.sampling};
+    if (binding.odd_frame.value == binding.texture.value) binding.odd_frame = {};
     binding.multisampled = uniform.type == GlslType::sampler2d_ms;
-    binding.unit = static_cast<int>(&input - prepared.plan->inputs.data());
-    binding.texture = textureOf(input, prepared.view, false);
-    const TextureId other = textureOf(input, prepared.view, true);
-    if (other.value != binding.texture.value) binding.odd_frame = other;
-    binding.sampling = input.sampling;
     if (input.kind == InputKind::imported) binding.import = input.index;
     const bool material = input.kind == InputKind::material;
     if (material) binding.map = input.index;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <optional>
 
 namespace crevice {
 namespace {
@@ -19,12 +18,6 @@ std::optional<double> processTime()
     return std::nullopt;
 }
 
-double wallTime()
-{
-    const auto since = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double, std::milli>(since).count();
-}
-
 }  // namespace
 
 FrameClock::FrameClock(bool software)
@@ -34,7 +27,9 @@ FrameClock::FrameClock(bool software)
 
 double FrameClock::now() const
 {
-    return method_ == TimingMethod::processor_time ? processTime().value_or(0.0) : wallTime();
+    if (method_ == TimingMethod::processor_time) return processTime().value_or(0.0);
+    const auto since = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(since).count();
 }
 
 void PassTimers::start(int runs, std::size_t passes, const FrameClock* clock)

@@ -4,9 +4,6 @@
 
 #include <crevice/frame.h>
 
-#include <cstddef>
-#include <vector>
-
 namespace crevice {
 
 /// Take its time, draw, wait with Device::finish, and take it again.

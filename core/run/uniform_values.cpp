@@ -4,8 +4,6 @@
 
 #include "core/sampling/generators.h"
 
-#include <algorithm>
-
 namespace crevice {
 namespace {
 

@@ -8,10 +8,8 @@
 #include <crevice/plan.h>
 
 #include "core/frame/frame_math.h"
-#include "core/frame/frame_values.h"
 
 #include <cstring>
-#include <vector>
 
 namespace crevice {
 
@@ -20,8 +18,7 @@ std::size_t wordsOf(GlslType type, int count);
 
 class ValueTable {
 public:
-    /// Has room for the frame's values, the plan's params, at their initial values, and its
-    /// kernels. The plan must outlive it.
+    /// Has room for the frame's values, the plan's params and kernels. The plan must outlive it.
     explicit ValueTable(const Plan& plan);
 
     /// Where the value of a uniform begins, in words.

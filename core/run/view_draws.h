@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a frame draws, and where each draw lies in a view: computed once a view, for all of its
-// passes.
+// What a frame draws, and where each draw lies in a view: computed once a view, for all passes.
 //
 // Private to core/run. Memory grows with the count of draws and is kept from frame to frame.
 #pragma once
 
 #include "core/run/uniform_values.h"
-
-#include <utility>
-#include <vector>
 
 namespace crevice {
 
@@ -56,12 +52,10 @@ public:
     const std::uint32_t* values(std::size_t draw, ValueTable& table);
 
     /// The part in which draws can show: those at which a `length` in scene units comes to a pixel
-    /// of a view of `extent`, or all where it is infinite. All of the view where that is not known,
-    /// without bounds say.
+    /// of a view of `extent`, or all where it is infinite. The whole view where bounds are unknown.
     ViewArea area(const Extent& extent, double length);
 
 private:
-    ViewArea areaWithin(double reach);
     const ViewArea& areaOfDraw(std::size_t draw);
 
     const DrawnList& drawn_;
@@ -73,6 +67,41 @@ private:
     std::vector<std::pair<double, ViewArea>> reached_;  // what `area` has answered, by reach
     std::vector<ViewArea> areas_;        // of the first draws, as far as anyone asked
     std::vector<std::uint32_t> values_;  // of all draws, one after the other
+};
+
+/// What passes read of a draw and nobody gives them, and of a history that is another camera's:
+/// told once for a plan, in the frame that first draws so.
+class DrawWarnings {
+public:
+    /// The plan must outlive it.
+    explicit DrawWarnings(const Plan& plan) : plan_(plan) {}
+
+    /// Takes note of what a pass of the plan reads: `active` is what its program really has.
+    void add(const PlanPass& pass, const std::vector<UniformInfo>& active);
+
+    /// Looks at what is drawn, with its mesh. Allocates only where there is something to say.
+    void look(const DrawItem& item, const ObjectInfo& mesh, const Material& material);
+
+    /// Looks whether two cameras take turns with one history: `turns` counts the frames in which a
+    /// view's camera is nearer to that of two frames ago than to the last one.
+    void look(const FrameHistory& two_ago, const FrameHistory& last, const CameraMatrices& now,
+              int& turns);
+
+    /// What is new since the last call.
+    Diagnostics take() { return std::exchange(found_, {}); }
+
+private:
+    using Reader = const PlanPass*;
+
+    void warnOfLack(Reader& reader, const ObjectInfo& mesh, const char* lacks, const char* help);
+    Diagnostic& warn(Reader& reader, Code code, std::string message, const char* help);
+
+    const Plan& plan_;
+    bool remembers_ =  // whether it has a history, and that is not told
+        anyOf(plan_.targets, [](const auto& target) { return target.history_texture >= 0; });
+    // The first pass that reads each; null where none does, or that was told.
+    Reader normals_ = nullptr, maps_[std::size(kMaterialMaps)] = {}, blocks_ = nullptr;
+    Diagnostics found_;
 };
 
 }  // namespace crevice

@@ -13,10 +13,8 @@
 #include <glm/vec2.hpp>
 
 #include <cmath>
-#include <utility>
 
 namespace crevice {
-
 namespace {
 
 /// In (-1, 1): odd multiples of 2^-24, so that a float holds it exactly and none is 0.
@@ -24,12 +22,8 @@ double signedNumber(Stream& stream) { return 2.0 * stream.number() - 1.0 + 0x1p-
 
 /// Points that fill the cube (-1, 1)^3 evenly however many are taken, from a start of the seed's:
 /// R3 [Roberts 2018]. Integers step round, so that every platform has the same.
-class EvenPoints {
-public:
-    explicit EvenPoints(unsigned seed)
-    {
-        for (unsigned i = 0; i < 3; ++i) at_[i] = randomBits(seed, i);
-    }
+struct EvenPoints {
+    std::uint32_t at[3];
 
     glm::dvec3 next()
     {
@@ -37,18 +31,14 @@ public:
         constexpr std::uint32_t kSteps[3] = {3518319155u, 2882110345u, 2360945575u};
         glm::dvec3 point;
         for (int i = 0; i < 3; ++i) {
-            at_[i] += kSteps[i];
-            point[i] = (at_[i] >> 8) * 0x1p-23 - 1.0 + 0x1p-24;
+            at[i] += kSteps[i];
+            point[i] = (at[i] >> 8) * 0x1p-23 - 1.0 + 0x1p-24;
         }
         return point;
     }
-
-private:
-    std::uint32_t at_[3];
 };
 
-/// Uniform in volume, by rejection. The squared length has at most 50 bits, so a double holds
-/// it exactly and every platform rejects the same points.
+/// Uniform in volume, by rejection: alike everywhere, as squared lengths of 50 bits are exact.
 glm::dvec3 inBall(EvenPoints& points)
 {
     glm::dvec3 point = points.next();
@@ -58,14 +48,6 @@ glm::dvec3 inBall(EvenPoints& points)
 
 /// Share of its random length that the first offset keeps [Chapman 2013].
 constexpr double kInnermost = 0.1;
-
-/// What the length of offset `index` of `count` is multiplied by.
-double lengthScale(std::string_view lengths, int index, int count)
-{
-    if (lengths == "even") return 1.0;
-    const double t = double(index) / count;
-    return kInnermost + (1.0 - kInnermost) * (lengths == "linear" ? t : t * t);
-}
 
 /// A point of the whole cube or on one of its rays, times `scale`.
 glm::dvec3 randomOffset(Stream& stream, bool on_ray, double scale)
@@ -83,14 +65,15 @@ Status checkName(const std::string& name, const std::vector<std::string>& names,
                       suggestName(name, names, what)};
 }
 
-Diagnostic rangeError(const char* what, int value, int most)
+Status checkCount(const GeneratorDesc& desc)
 {
-    return {Code::out_of_range, std::string(what) + " " + std::to_string(value) +
-                                    " is outside [1, " + std::to_string(most) + "]"};
+    const int most = mostCount(desc.generator);
+    if (desc.count >= 1 && desc.count <= most) return {};
+    return Diagnostic{Code::out_of_range, "count " + std::to_string(desc.count) +
+                                              " is outside [1, " + std::to_string(most) + "]"};
 }
 
-/// (cos, sin) of an angle in turns, [-0.5, 0.5]: their Taylor series, nested. 16 terms leave an
-/// error of about 1e-15, far below what a float shows.
+/// (cos, sin) of an angle in turns, [-0.5, 0.5]: nested Taylor series. 16 terms are exact to 1e-15.
 glm::dvec2 direction(double turns)
 {
     constexpr int kTerms = 16;
@@ -118,74 +101,50 @@ std::vector<int> permutation(Stream& stream, int count)
 
 }  // namespace
 
-const std::vector<std::string>& shapeNames()
-{
-    static const std::vector<std::string> names = {"ball", "cube", "rays"};
-    return names;
-}
+bool generatesTexture(std::string_view generator) { return endsWith(generator, "_noise"); }
 
-const std::vector<std::string>& lengthsNames()
+Result<std::vector<glm::vec3>> makeKernel(const GeneratorDesc& desc)
 {
-    static const std::vector<std::string> names = {"even", "linear", "quadratic"};
-    return names;
-}
-
-Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
-{
-    Status status = checkName(desc.shape, shapeNames(), "shapes");
-    if (status) status = checkName(desc.lengths, lengthsNames(), "lengths");
+    Status status = checkCount(desc);
+    if (status) status = checkName(desc.shape, kShapeNames, "shapes");
+    if (status) status = checkName(desc.lengths, kLengthsNames, "lengths");
     if (!status) return status.diagnostics();
-    if (desc.count < 1 || desc.count > kMaxKernelSize)
-        return rangeError("count", desc.count, kMaxKernelSize);
-
-    Stream stream(desc.seed);
-    EvenPoints points(desc.seed);
+    const bool hemisphere = desc.generator == "hemisphere_kernel";
+    Stream stream{desc.seed};
+    EvenPoints points{
+        {randomBits(desc.seed, 0), randomBits(desc.seed, 1), randomBits(desc.seed, 2)}};
     std::vector<glm::vec3> kernel;
     for (int i = 0; i < desc.count; ++i) {
-        const double scale = lengthScale(desc.lengths, i, desc.count);
+        const double t = double(i) / desc.count;
+        const double ramp =
+            kInnermost + (1.0 - kInnermost) * (desc.lengths == "linear" ? t : t * t);
+        const double scale = desc.lengths == "even" ? 1.0 : ramp;
         const glm::dvec3 offset = desc.shape == "ball"
                                       ? inBall(points) * scale
                                       : randomOffset(stream, desc.shape == "rays", scale);
-        kernel.emplace_back(offset.x, offset.y, desc.hemisphere ? std::abs(offset.z) : offset.z);
+        kernel.emplace_back(offset.x, offset.y, hemisphere ? std::abs(offset.z) : offset.z);
     }
     return kernel;
 }
 
-Result<Image> makeRotationNoise(int size, unsigned seed)
+Result<Image> makeNoise(const GeneratorDesc& desc)
 {
-    if (size < 1 || size > kMaxNoiseSize) return rangeError("size", size, kMaxNoiseSize);
-    const int count = size * size;
-    Stream stream(seed);
-    const std::vector<int> strata = permutation(stream, count);
-    Image noise({size, size}, 4);
+    if (Status status = checkCount(desc); !status) return status.diagnostics();
+    const int count = desc.count * desc.count;
+    const bool rotation = desc.generator == "rotation_noise";
+    Stream stream{desc.seed};
+    const std::vector<int> strata = permutation(stream, rotation ? count : 0);
+    Image noise({desc.count, desc.count}, 4);
     for (int i = 0; i < count; ++i) {
-        const double turns = (strata[std::size_t(i)] + stream.number()) / count - 0.5;
-        const glm::dvec2 at = direction(turns);
+        glm::dvec2 at;
+        if (rotation)
+            at = direction((strata[std::size_t(i)] + stream.number()) / count - 0.5);
+        else
+            for (int axis = 0; axis < 2; ++axis) at[axis] = signedNumber(stream);
         noise.pixels[std::size_t(i) * 4] = float(at.x);
         noise.pixels[std::size_t(i) * 4 + 1] = float(at.y);
     }
     return noise;
 }
-
-Result<Image> makeVectorNoise(int size, unsigned seed)
-{
-    if (size < 1 || size > kMaxNoiseSize) return rangeError("size", size, kMaxNoiseSize);
-    Stream stream(seed);
-    Image noise({size, size}, 4);
-    for (std::size_t i = 0; i < noise.pixels.size(); i += 4) {
-        noise.pixels[i] = float(signedNumber(stream));
-        noise.pixels[i + 1] = float(signedNumber(stream));
-    }
-    return noise;
-}
-
-const std::vector<std::string>& generatorNames()
-{
-    static const std::vector<std::string> names = {"sphere_kernel", "hemisphere_kernel",
-                                                   "rotation_noise", "vector_noise"};
-    return names;
-}
-
-bool generatesTexture(std::string_view generator) { return endsWith(generator, "_noise"); }
 
 }  // namespace crevice

@@ -6,14 +6,7 @@
 // Jarzynski, Olano 2020 - the PCG hash behind every number.
 #pragma once
 
-#include <crevice/image.h>
-#include <crevice/result.h>
-
-#include <glm/vec3.hpp>
-
-#include <cstdint>
-#include <string>
-#include <vector>
+#include <crevice/frame.h>
 
 namespace crevice {
 
@@ -24,44 +17,35 @@ constexpr int kMaxKernelSize = 256;
 /// Longest side of a noise texture, in pixels.
 constexpr int kMaxNoiseSize = 64;
 
-/// What a kernel is made of.
-struct KernelDesc {
-    bool hemisphere = true;        ///< Offsets with z >= 0 only.
-    int count = 16;                ///< [1, kMaxKernelSize].
-    std::string shape = "ball";    ///< Where the offsets lie; see shapeNames().
-    std::string lengths = "even";  ///< How their lengths grow; see lengthsNames().
-    unsigned seed = 1;
-};
-
-/// The offsets of a kernel, `count` of them.
-/// Errors: CV4001 for a count outside its range, CV3005 for another shape or other lengths.
-Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc);
-
 /// Where the offsets of a kernel lie:
 ///   "ball"  in the unit ball, uniform in volume, and evenly however few they are [Roberts 2018]
 ///   "cube"  at random in the cube (-1, 1)^3, not cut to the ball [Meiri n.d.]
 ///   "rays"  a random vector in the cube, normalised, times a random length [de Vries 2020]
-const std::vector<std::string>& shapeNames();
+inline const std::vector<std::string> kShapeNames = {"ball", "cube", "rays"};
 
 /// What offset i of n is multiplied by:
 ///   "even"       1
 ///   "linear"     lerp(0.1, 1, i / n)
 ///   "quadratic"  lerp(0.1, 1, (i / n)^2) [Chapman 2013]
-const std::vector<std::string>& lengthsNames();
+inline const std::vector<std::string> kLengthsNames = {"even", "linear", "quadratic"};
 
-/// size x size pixels of (x, y, 0, 0): unit vectors in random directions, each with the angle of
-/// its own stratum, so that a size x size box filter sees all directions evenly. Errors: CV4001 for
-/// a size outside [1, kMaxNoiseSize].
-Result<Image> makeRotationNoise(int size, unsigned seed);
+/// What makes the numbers:
+///   "sphere_kernel"      offsets
+///   "hemisphere_kernel"  ... with z >= 0 only
+///   "rotation_noise"     pixels of (x, y, 0, 0): unit vectors in random directions, each with the
+///                        angle of its own stratum, so that a box filter of the noise's size sees
+///                        all directions evenly
+///   "vector_noise"       ... vectors in the square (-1, 1)^2, independent of each other, as most
+///                        authors have them [de Vries 2020; Lettier 2019]
+inline const std::vector<std::string> kGeneratorNames = {"sphere_kernel", "hemisphere_kernel",
+                                                         "rotation_noise", "vector_noise"};
 
-/// size x size pixels of (x, y, 0, 0): vectors in the square (-1, 1)^2, independent of each other,
-/// as most authors have them [de Vries 2020; Lettier 2019]. Errors: those of makeRotationNoise.
-Result<Image> makeVectorNoise(int size, unsigned seed);
-
-/// The generators' names as JSON has them: "sphere_kernel", "hemisphere_kernel", "rotation_noise",
-/// "vector_noise".
-const std::vector<std::string>& generatorNames();
 bool generatesTexture(std::string_view generator);
+
+/// The offsets of a kernel, and the square image of a noise.
+/// Errors: CV4001 for a count above `mostCount` or below 1, CV3005 for no known shape or lengths.
+Result<std::vector<glm::vec3>> makeKernel(const GeneratorDesc& desc);
+Result<Image> makeNoise(const GeneratorDesc& desc);
 
 /// The most offsets, or pixels along a side, that the generator makes.
 inline int mostCount(std::string_view generator)
@@ -87,19 +71,15 @@ inline float randomFloat(unsigned seed, unsigned index)
 }
 
 /// The numbers of one seed, one after the other.
-class Stream {
-public:
-    explicit Stream(unsigned seed) : seed_(seed) {}
+struct Stream {
+    unsigned seed;
+    unsigned index = 0;
 
     /// In [0, 1).
-    double number() { return randomFloat(seed_, index_++); }
+    double number() { return randomFloat(seed, index++); }
 
     /// In [0, count).
-    int integer(int count) { return int(randomBits(seed_, index_++) % unsigned(count)); }
-
-private:
-    unsigned seed_;
-    unsigned index_ = 0;
+    int integer(int count) { return int(randomBits(seed, index++) % unsigned(count)); }
 };
 
 }  // namespace crevice

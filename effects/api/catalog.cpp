@@ -6,7 +6,6 @@
 #include <algorithm>
 
 namespace crevice {
-
 namespace {
 
 constexpr std::string_view kConfigs = "configs/";

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <crevice/effect.h>
 
-#include <crevice/config.h>
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace crevice {
-
 namespace {
 
 /// Errors: CV2102 where the config imports no texture of that name.

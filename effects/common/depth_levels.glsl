@@ -3,8 +3,7 @@
 // the corner; levels 2 to 4 one above the other beside it. Level 0 is depth itself.
 //
 // A texel of a level is one texel of depth, never a mean, which would lie on no surface.
-// [McGuire et al. 2012 - taps from levels, by their distance, and the rotated grid of levelSource; they have a mip
-//  chain]
+// [McGuire et al. 2012 - taps from levels by distance, and the rotated grid of levelSource; theirs is a mip chain]
 
 const highp int kDepthLevels = 4;
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The guard band: whole pixels around the view, as many on either side, with which a G-buffer is GUARD_BAND times as
 // wide and as high as the view, or up to two pixels more; so estimators see past the screen's edge. Everything else
-// keeps the uv of the view; only what the band adds lies outside 0..1. A geometry module that has no param `guard_band`
-// has no band.
+// keeps the uv of the view: only the band lies outside 0..1. A geometry module without a param `guard_band` has none.
 
 #include "common/texel.glsl"
 

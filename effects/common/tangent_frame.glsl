@@ -12,8 +12,7 @@ void tangentFrame(highp vec3 n, out highp vec3 tangent, out highp vec3 bitangent
     bitangent = vec3(b, s + n.y * n.y * a, -n.y);
 }
 
-// The frame (t, b, n) whose t is the part of `r` across n, as most authors have it; b = n x t. Where r is along n, t
-// and b are zero.
+// The frame (t, b, n) whose t is the part of `r` across n, as most have it; b = n x t. For r along n both are zero.
 highp mat3 projectedFrame(highp vec3 n, highp vec3 r)
 {
     highp vec3 across = r - n * dot(r, n);

@@ -18,8 +18,7 @@ highp vec2 hostTexelUnder(highp vec2 at)
     return floor(at + vec2(quarter.x < 0.5 ? -kTie : kTie, quarter.y < 0.5 ? -kTie : kTie));
 }
 
-// The texel at `at`, counted in texels from texel `first` of a texture of `size` texels, which has as many more than
-// the view on either side.
+// The texel at `at`, counted from texel `first` of a texture of `size`, with as many more than the view on each side.
 highp ivec2 texelUnder(highp vec2 at, highp vec2 first, highp vec2 size)
 {
 #if CAMERA_TURNED

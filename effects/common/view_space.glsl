@@ -7,8 +7,7 @@
 uniform highp mat4 clip_from_view;
 uniform highp mat4 view_from_window;
 
-// Smallest w divided by: at an infinite far plane w is 0, and the quotient of lengths up to 1e20 must stay finite in
-// float, whose greatest is 3e38.
+// Smallest w divided by: at an infinite far plane w is 0, and lengths up to 1e20 by it must stay below 3e38.
 const highp float kSmallestW = 1e-18;
 
 // Whether something was drawn where this depth is stored: the clear left the farthest.
@@ -103,8 +102,7 @@ highp float raySlope(highp vec3 point, highp vec3 normal)
 #endif
 }
 
-// The uv onto which `point` projects; false when the camera cannot see there: behind it, or beyond the
-// screen and its guard band.
+// The uv onto which `point` projects; false behind the camera, and beyond the screen and its guard band.
 bool uvFromView(highp vec3 point, out highp vec2 uv)
 {
     highp vec4 clip = clip_from_view * vec4(point, 1.0);

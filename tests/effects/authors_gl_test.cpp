@@ -75,7 +75,7 @@ float signedOf(Stream& stream) { return float(2.0 * stream.number() - 1.0 + 0x1p
 /// Normalised (2u-1, 2u-1, u), times u, times lerp(0.1, 1, t) or lerp(0.1, 1, t^2).
 std::vector<vec3> hemisphere(int count, bool squared)
 {
-    Stream stream(1);
+    Stream stream{1};
     std::vector<vec3> kernel;
     for (int i = 0; i < count; ++i) {
         const float x = signedOf(stream), y = signedOf(stream), z = std::fabs(signedOf(stream));
@@ -89,7 +89,7 @@ std::vector<vec3> hemisphere(int count, bool squared)
 /// One of 4x4 vectors (2u-1, 2u-1, 0), by the pixel.
 vec3 noiseAt(int x, int y)
 {
-    Stream stream(2);
+    Stream stream{2};
     vec3 vector(0);
     for (int i = 0; i <= (y % 4) * 4 + x % 4; ++i) {
         vector.x = signedOf(stream);
@@ -105,7 +105,7 @@ float ogldev(const Drawn& drawn, int x, int y)
     constexpr int kCount = 128;
     constexpr float kCut = 1.5f;
     static const std::vector<vec3> kernel = [] {
-        Stream stream(1);
+        Stream stream{1};
         std::vector<vec3> all;
         for (int i = 0; i < kCount; ++i) {
             const float a = signedOf(stream), b = signedOf(stream), c = signedOf(stream);

@@ -57,7 +57,7 @@ std::map<std::string, float> noOpsOf(const Description& description)
 {
     std::map<std::string, float> found;
     for (const PassDesc& pass : description.passes)
-        for (const NoOpDesc& no_op : pass.no_op) found[no_op.param.name] = no_op.at;
+        for (const NoOpDesc& no_op : pass.no_op) found[no_op.name] = no_op.at;
     return found;
 }
 

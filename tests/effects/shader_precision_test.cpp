@@ -58,10 +58,10 @@ TEST_CASE("What reads depth or 32-bit floats in a shipped config has a highp sam
         const Plan plan = need(planWithoutDevice(options, shippedSources()));
         for (const PlanPass& pass : plan.passes)
             for (const PlanInput& input : pass.inputs) {
-                if (input.sampler.empty() || !isWide(plan, input)) continue;
+                if (input.name.empty() || !isWide(plan, input)) continue;
                 INFO(subject.config << " " << subject.variant << ", pass " << pass.name << ", "
-                                    << input.sampler);
-                CHECK(precisionOf(plan.programs[pass.program].fragment.text, input.sampler) ==
+                                    << input.name);
+                CHECK(precisionOf(plan.programs[pass.program].fragment.text, input.name) ==
                       "highp");
             }
     }

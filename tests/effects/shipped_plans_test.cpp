@@ -5,7 +5,6 @@
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "tests/support/need.h"
 #include "tools/show/plan/planning.h"

@@ -6,7 +6,7 @@
 // WatchedGl has the first two for the calls of a driver.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include "tests/support/need.h"
 

@@ -2,7 +2,7 @@
 // What a test needs in order to go on.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include "tests/support/catch.h"
 

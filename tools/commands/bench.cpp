@@ -11,7 +11,6 @@
 #include "tools/render/device/open_device.h"
 #include "tools/render/scene/options.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <CLI/CLI.hpp>

@@ -6,7 +6,7 @@
 #include "tools/measure/bench/choice.h"
 #include "tools/render/scene/options.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

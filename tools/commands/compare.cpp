@@ -6,7 +6,7 @@
 #include "tools/render/image/image_file.h"
 #include "tools/render/image/image_metrics.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -18,7 +18,7 @@
 #include "tools/render/target_diagnosis.h"
 #include "tools/render/view_diagnosis.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -10,7 +10,6 @@
 
 #include <crevice/config.h>
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"
 

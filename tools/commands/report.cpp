@@ -8,7 +8,6 @@
 #include "tools/render/image/image_file.h"
 #include "tools/show/report/bench_report.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <CLI/CLI.hpp>

@@ -39,8 +39,11 @@ void check(const ValidateOptions& options, Extent extent, const SourceSet& sourc
            GlslCheck& shaders, const std::function<void(const Checked&)>& tell)
 {
     bool broken = false;
-    const auto plan = [&](const std::string& variant, const Result<Node>& document) {
+    LoadRequest request = requestOf(options);
+    const auto plan = [&](const std::string& variant) {
         if (broken) return;
+        request.variant = variant;
+        const Result<Node> document = loadConfig(sources, request);
         const auto description = document ? decode(*document, sources, options.limits)
                                           : Result<Description>(document.diagnostics());
         const Checked checked = {options.config, variant,
@@ -48,10 +51,9 @@ void check(const ValidateOptions& options, Extent extent, const SourceSet& sourc
         broken = variant.empty() && !checked.plan;
         tell(checked);
     };
+    plan(options.variant);
     if (options.variant.empty())
-        loadVariants(sources, requestOf(options), plan);
-    else
-        plan(options.variant, loadConfig(sources, requestOf(options)));
+        for (const std::string& variant : variantNames(sources, request)) plan(variant);
 }
 
 /// What was said before, of the config or of another variant, is not said again.

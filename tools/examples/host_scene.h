@@ -3,7 +3,7 @@
 // sun + ambient. Include the headers of OpenGL first.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>

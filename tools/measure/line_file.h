@@ -2,7 +2,7 @@
 // A file of results that grows line by line and loses none of them, whatever stops the run.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <crevice/compile.h>
+#include <crevice/diagnostic.h>
 #include <crevice/image.h>
-#include <crevice/result.h>
 
 #include <string>
 #include <vector>

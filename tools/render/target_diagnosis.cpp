@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/target_diagnosis.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "tools/render/device/float_device.h"
 
 #include <algorithm>
@@ -143,7 +143,7 @@ const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& he
         if (input.kind != InputKind::target) continue;
         const TargetHealth* from = healthOf(health, plan.targets[input.index].name);
         const bool drawn =
-            input.sampler.empty() && from && from->minimum[0] > 0;  // a mask that lets all through
+            input.name.empty() && from && from->minimum[0] > 0;  // a mask that lets all through
         if (from && from != &target && !drawn && explains(*from, target))
             return rootOf(plan, health, *from);
     }
@@ -258,7 +258,7 @@ Diagnostics diagnose(const Description& description, const Plan& plan,
     for (const PlanOutput& output : plan.outputs) {
         if (output.constant >= 0) {
             found.push_back(constantOutput(description, output.name, "",
-                                           number(plan.constants[output.constant].value)));
+                                           number(plan.constants[output.constant])));
             found.back().help = whyPlanned(plan);
             continue;
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/view_diagnosis.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"
 #include "tools/commands/cli/output.h"
@@ -35,7 +34,7 @@ std::optional<Diagnostic> constantByPlan(const Plan& plan)
 {
     const PlanOutput* output = findNamed(plan.outputs, "ao");
     if (!output || output->constant < 0) return std::nullopt;
-    const float value = plan.constants[output->constant].value;
+    const float value = plan.constants[output->constant];
     return warningOf(Code::output_constant,
                      "the ambient occlusion is " + shortest(value) + " everywhere",
                      whyPlanned(plan));

@@ -5,8 +5,8 @@
 // EGL and OSMesa are opened when a context is asked for; nothing links them.
 #pragma once
 
+#include <crevice/diagnostic.h>
 #include <crevice/gl_device.h>
-#include <crevice/result.h>
 
 #include <memory>
 #include <string>

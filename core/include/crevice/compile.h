@@ -8,17 +8,13 @@
 #include <crevice/config.h>
 #include <crevice/plan.h>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 struct CompileOptions {
     Extent extent;
     std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
     std::vector<std::string> disable = {};  ///< Names of optimizations to switch off, or "all".
-    /// What of a frame no shader could draw is an error, and that frame is not drawn; else it is
-    /// left out with a warning (`Renderer::render`).
+    /// What of a frame no shader could draw is an error instead of a warning (`Renderer::render`).
     bool strict = false;
 };
 

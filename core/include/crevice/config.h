@@ -6,16 +6,10 @@
 // Every named object keeps the place of its key, for messages that come later.
 #pragma once
 
-#include <crevice/device.h>
 #include <crevice/document.h>
 #include <crevice/frame.h>
-#include <crevice/glsl_stage.h>
 
 #include <array>
-#include <functional>
-#include <map>
-#include <string>
-#include <vector>
 
 namespace crevice {
 
@@ -70,9 +64,8 @@ struct FeatureDesc : Named {
     struct Setting : Named {
         std::array<float, 4> value = {0, 0, 0, 0};  ///< Of a feature the first: its word's index.
     };
-    /// What one word sets: all that any word of the feature sets, else the default.
-    struct Level {
-        Reference word = {};
+    /// What the word of that name sets: all that any word of the feature sets, else the default.
+    struct Level : Reference {
         std::vector<Setting> settings = {};
     };
 
@@ -103,13 +96,11 @@ struct SizeDesc {
 /// The least that its scale may be.
 inline double smallestScale(const SizeDesc& size) { return size.border ? 1.0 : kSmallestScale; }
 
-/// What a target of a colour format holds for finding surfaces; a depth format holds window
-/// depth, or 0 and 1 with `mask`.
+/// What a colour target holds to find surfaces by; depth formats hold window depth, or the mask.
 enum class Semantic { other, view_position, view_depth, mask };
 
 struct TargetDesc : Named {
-    /// Preference list: the first one that the device renders to and that resolves what `semantic`
-    /// says (core/compile/depth_precision.h).
+    /// Preference list: taken is the first that the device renders to and that resolves `semantic`.
     std::vector<Format> formats;
     Place formats_place = {};
     Semantic semantic = Semantic::other;
@@ -133,22 +124,15 @@ struct InterfaceDesc : Named {
     Reference file = {};
 };
 
-/// Semantic when every term does; a term holds when its subject has one of the values. Subjects are
-/// features and traits ("scene.lights", where true means at least one).
-struct Condition {
-    struct Term {
-        Reference subject;
-        std::vector<std::string> values;
-    };
-    std::vector<Term> terms = {};
+/// Holds when the feature or trait of that name has one of the values.
+struct Condition : Reference {
+    std::vector<std::string> values;  ///< Of a count, true means at least one.
 };
 
-/// "At this param's value, this output is that constant or that input."
-struct NoOpDesc {
-    Reference param = {};
+/// "At this value of the param of that name, this output is that constant or that input."
+struct NoOpDesc : Reference {
     float at = 0.0f;
-    struct Gives {
-        Reference output;
+    struct Gives : Reference {
         bool constant = false;
         float value = 0.0f;    ///< In every channel, when constant.
         Reference input = {};  ///< Otherwise.
@@ -156,29 +140,27 @@ struct NoOpDesc {
     std::vector<Gives> gives = {};
 };
 
-/// What a sampler of the pass's shader reads, where the name differs or the sampling does.
-struct InputDesc {
-    Reference sampler = {};  ///< The GLSL name.
-    Reference from = {};     ///< Target, generated, import; empty means the same name.
+/// What the sampler of that GLSL name reads, where that has another name or its sampling differs.
+struct InputDesc : Reference {
+    Reference from = {};  ///< Target, generated, import; empty means the same name.
     Filter filter = Filter::nearest;
     Wrap wrap = Wrap::clamp;  ///< A generated noise defaults to repeat.
     bool has_filter = false;
     bool has_wrap = false;
 };
 
-struct ClearDesc {
-    Reference target = {};
+/// What the target of that name is cleared to.
+struct ClearDesc : Reference {
     std::array<float, 4> value = {0, 0, 0, 0};
 };
 
-struct BypassDesc {
-    Reference output = {};
+/// What the output of that name is while the pass is off.
+struct BypassDesc : Reference {
     Reference input = {};
 };
 
-/// "Where all texels of that sampler are one constant, so are those of this output."
-struct PreservesConstantDesc {
-    Reference output = {};
+/// "Where all texels of that sampler are one constant, so are those of the output of that name."
+struct PreservesConstantDesc : Reference {
     Reference sampler = {};  ///< The GLSL name.
 };
 
@@ -188,7 +170,7 @@ struct PassDesc : Named {
     std::vector<Reference> color = {};  ///< In the order of the shader's output locations.
     Reference depth = {};
     std::vector<ClearDesc> clear = {};
-    Condition when = {};
+    std::vector<Condition> when = {};  ///< All of which must hold.
     std::vector<BypassDesc> bypass = {};
     std::vector<NoOpDesc> no_op = {};
     std::vector<PreservesConstantDesc> preserves_constant = {};
@@ -215,8 +197,7 @@ struct ViewDesc : Named {
     float offset = 0.0f;
 };
 
-/// What a config may ask for. What asks for more is refused (CV1209), so that no stranger's file
-/// takes a machine's memory.
+/// What a config may ask for; more is refused (CV1209): no stranger's file takes all memory.
 struct Limits {
     int files = 1024;   ///< JSON files, and GLSL files.
     int passes = 512;   ///< Whether they run or not.
@@ -246,8 +227,7 @@ struct Description : Named {
         std::string reason;  ///< Half a sentence: "it needs ..."
     };
     std::vector<LeftOut> left_out;
-    /// About names that nothing uses; `compile` reports them where it finds no other error, which
-    /// might be why.
+    /// About names that nothing uses: `compile` reports them where no other error might be why.
     Diagnostics unused;
     std::map<std::string, SourceRef> files;  ///< Every GLSL file, includes too, by path.
 };
@@ -275,8 +255,7 @@ struct LoadRequest {
     /// "filter/box=filter/median"; or one more at the end of its `extends`: "+geometry/host_depth".
     std::vector<std::string> overrides = {};
     /// Folders below which files may be named besides those below the config's own folder, and for
-    /// an override's value those below the current one. A folder that does not exist allows
-    /// nothing.
+    /// an override's value those below the current one. A folder that is not there allows nothing.
     std::vector<std::string> roots = {};
     Limits limits = {};  ///< Of which `files` counts.
 };
@@ -298,14 +277,8 @@ struct LoadRequest {
 /// Errors: CV1xxx of any file, CV1201 to CV1209, CV3002, CV4004 for an override of nothing.
 Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request);
 
-/// The names of the variants that a config and all that it extends declare, sorted; none where it
-/// cannot be read. Of the request, `config`, `roots` and `limits` count.
+/// The variants of a config and of all that it extends, sorted, whatever `variant` says; or none.
 std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& request);
-
-/// The config under the variant "", then under each variant that it and all that it extends
-/// declare, sorted by name. Its files are read once. Of the request, `variant` does not count.
-void loadVariants(const SourceSet& sources, const LoadRequest& request,
-                  const std::function<void(const std::string& variant, Result<Node>)>& each);
 
 /// The names of the configs in `sources`, sorted.
 std::vector<std::string> configNames(const SourceSet& sources);

@@ -8,12 +8,8 @@
 
 #include <crevice/glsl_stage.h>
 #include <crevice/image.h>
-#include <crevice/result.h>
 
 #include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace crevice {
 
@@ -83,35 +79,24 @@ struct StateDesc {
     Cull cull = Cull::none;
 };
 
-struct TextureId {
-    std::uint32_t value = 0;
-    explicit operator bool() const { return value != 0; }
-};
-struct MeshId {
-    std::uint32_t value = 0;
-    explicit operator bool() const { return value != 0; }
-};
-struct ProgramId {
-    std::uint32_t value = 0;
-    explicit operator bool() const { return value != 0; }
-};
-struct FramebufferId {
-    std::uint32_t value = 0;
-    explicit operator bool() const { return value != 0; }
-};
-
-/// Any of the above, for `Device::destroy`.
+/// An object of any kind, for `Device::destroy`.
 struct ObjectId {
     enum class Kind { texture, mesh, program, framebuffer };
 
     Kind kind;
     std::uint32_t value;
-
-    ObjectId(TextureId id) : kind(Kind::texture), value(id.value) {}          // NOLINT
-    ObjectId(MeshId id) : kind(Kind::mesh), value(id.value) {}                // NOLINT
-    ObjectId(ProgramId id) : kind(Kind::program), value(id.value) {}          // NOLINT
-    ObjectId(FramebufferId id) : kind(Kind::framebuffer), value(id.value) {}  // NOLINT
 };
+
+template <ObjectId::Kind kind>
+struct IdOf {
+    std::uint32_t value = 0;
+    explicit operator bool() const { return value != 0; }
+    operator ObjectId() const { return {kind, value}; }  // NOLINT
+};
+using TextureId = IdOf<ObjectId::Kind::texture>;
+using MeshId = IdOf<ObjectId::Kind::mesh>;
+using ProgramId = IdOf<ObjectId::Kind::program>;
+using FramebufferId = IdOf<ObjectId::Kind::framebuffer>;
 
 /// What a device can do; read once when it is made.
 struct DeviceCaps {
@@ -168,8 +153,7 @@ struct HostTexture {
     int samples = 1;     ///< Above 1 only of a texture: all else is copied, and so resolved.
     Kind kind = Kind::texture;
     int layer = 0;  ///< From 0.
-    /// The lower left pixel of the picture, where it is a part of a larger one: then `part` is
-    /// true.
+    /// The lower left pixel of the picture, where it is a part of a larger one, as `part` says.
     bool part = false;
     int x = 0, y = 0;
 
@@ -195,8 +179,7 @@ struct ClipControl {
     }
 };
 
-/// The window depths of the near and the far plane: what glDepthRange sets. The first may be the
-/// greater one.
+/// The window depths of the near and far plane: what glDepthRange sets. The first may be greater.
 struct DepthRange {
     float near_depth = 0;  ///< [0, 1]
     float far_depth = 1;   ///< [0, 1], and not near_depth.
@@ -274,8 +257,7 @@ struct HostMesh {
     std::uint32_t index_count = 0;   ///< Indices, or without them vertices, that may be drawn.
 };
 
-/// The most bytes that a mesh's vertices may take, and its indices: sizes in 32-bit drivers end
-/// here.
+/// The most bytes that a mesh's vertices may take, and its indices: 32-bit drivers end here.
 constexpr std::uint64_t kMaxMeshBytes = 0x7fffffff;
 
 /// Errors: CV6007 for so many vertices or indices that one of them takes more than kMaxMeshBytes.
@@ -294,8 +276,7 @@ struct MeshOrigin {
 };
 
 /// The middle of a mesh that lies beside its model's origin by more than its own size, as a city's
-/// houses do; else that origin. Devices keep positions about it, so that matrices in double and not
-/// floats make up for the distance.
+/// houses do; else that origin. Positions are kept about it: matrices in double add the distance.
 MeshOrigin originOf(const MeshDesc& mesh);
 
 /// The first index of each triangle of a sheet: of a connected surface with open edges, such as a
@@ -367,8 +348,7 @@ struct PassInfo {
     PixelArea area = {};
 };
 
-/// The host's own framebuffer or texture, and the rectangle to fill in it, in pixels from the lower
-/// left; x and y from 0.
+/// The host's framebuffer or texture and the rectangle to fill, in pixels from 0 at the lower left.
 struct HostFramebuffer {
     std::uint32_t name = 0;  ///< The API's own name; 0 is the default framebuffer.
     int x = 0, y = 0;
@@ -376,8 +356,7 @@ struct HostFramebuffer {
     std::uint32_t texture = 0;  ///< A GL_TEXTURE_2D instead of a framebuffer, where it is not 0.
     int level = 0;              ///< ... of which this level is drawn into.
 
-    /// Multiplies what is there instead, each channel by that of the output, and leaves its alpha:
-    /// AO darkens a finished picture so.
+    /// Multiplies what is there instead, channel by channel but for alpha: AO darkens pictures so.
     bool multiply = false;
 };
 
@@ -429,24 +408,21 @@ public:
 
     /// The API's own name of a texture, for a host's own shaders: with the GL device a name for
     /// glBindTexture(GL_TEXTURE_2D, name), or GL_TEXTURE_2D_MULTISAMPLE if it was adopted with
-    /// samples. 0 of an id that the device does not have, and of samples that are drawn into and
-    /// never read.
+    /// samples. 0 of an id that the device does not have, and of samples that are never read.
     ///
     /// It is the device's: read it, and neither write nor delete it. Its own parameters are
     /// GL_NEAREST and GL_CLAMP_TO_EDGE, one level; bind a sampler object for others. The name is
     /// good for as long as the id is; Renderer::output says how long that is.
     std::uint32_t nativeName(TextureId id) const { return info(id).native_name; }
 
-    /// Destroys one object of any kind. A null id, and one that the device does not have, is
-    /// ignored.
+    /// Destroys one object of any kind. Ignores a null id, and one that the device does not have.
     virtual void destroy(ObjectId id) = 0;
 
     /// Replaces level 0 of a texture; channels are converted to the texture's format.
     /// Errors: CV6004, CV6005, CV6009, CV6011, CV6016.
     virtual Status writeTexture(TextureId id, const Image& image) = 0;
 
-    /// Reads level 0 as floats: what the GPU holds, depth included. Slow; waits for the GPU.
-    /// Errors: those of writeTexture.
+    /// Reads level 0 as floats, depth too. Waits for the GPU. Errors: those of writeTexture.
     virtual Result<Image> readTexture(TextureId id) = 0;
 
     /// The active uniforms, without built-ins. Requires a program of the device.
@@ -466,8 +442,7 @@ public:
     /// Binds a texture to the sampler at `location`, through texture unit `unit`.
     virtual void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) = 0;
 
-    /// `data` holds `count` values of `type`: floats, or 32-bit ints for the integer types;
-    /// matrices by columns.
+    /// `data` holds `count` values of `type`: floats or 32-bit ints; matrices by columns.
     virtual void setUniform(int location, GlslType type, int count, const void* data) = 0;
 
     /// Draws triangles [first, first + count) of indices.
@@ -485,8 +460,7 @@ public:
     /// channel as grey, two as red and green, alpha 1 where it has none. To half the size, each
     /// pixel is the mean of four. The rest stays as it is.
     /// Errors: those of writeTexture, CV6017; CV6005 where GL draws into no such target; CV6011 for
-    /// a rectangle that leaves it. What leaves the default framebuffer is lost: GL tells no size of
-    /// it.
+    /// a rectangle that leaves it, but for the default framebuffer, whose size GL does not tell.
     virtual Status present(TextureId id, const HostFramebuffer& host) = 0;
 
     /// Waits until everything issued is done.
@@ -507,8 +481,7 @@ public:
     virtual double readTimer(int slot) = 0;
 };
 
-/// Whether the device has that texture, with one sample a pixel, so that it can be read and copied.
-/// Errors: CV6011.
+/// Whether the device has that texture, with one sample a pixel, to read and copy. Errors: CV6011.
 Status checkReadable(const Device& device, TextureId id);
 
 }  // namespace crevice

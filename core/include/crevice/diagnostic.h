@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A diagnostic: one message with its code, its place and a way out.
+// A diagnostic: one message with its code, its place and a way out. And Result<T>: a value, or the
+// diagnostics that say why there is none. Nothing in crevice throws.
 //
 //     my.json:9:57: error CV2103: pass 'lighting' reads target 'ao_filterd', which does not exist
 //         9 |   "passes": { "lighting": { "inputs": { "ao": "ao_filterd" } } }
@@ -12,9 +13,8 @@
 #include <crevice/codes.h>
 #include <crevice/source.h>
 
-#include <string>
-#include <string_view>
-#include <vector>
+#include <cassert>
+#include <optional>
 
 namespace crevice {
 
@@ -45,8 +45,7 @@ bool hasErrors(const Diagnostics& diagnostics);
 /// As many of one run are reported; nobody reads more.
 constexpr std::size_t kMaxDiagnostics = 100;
 
-/// Cuts a list to kMaxDiagnostics, errors before warnings; a note of the last says how many more
-/// there were.
+/// Cuts a list to kMaxDiagnostics, errors first; a note of the last says how many more there were.
 void cutShort(Diagnostics& diagnostics);
 
 /// That note.
@@ -78,5 +77,63 @@ std::string toJson(const Diagnostics& diagnostics);
 /// first of them in the alphabet under the heading `what` ("targets").
 std::string suggestName(std::string_view name, const std::vector<std::string>& names,
                         std::string_view what);
+
+/// Either a value, perhaps with warnings, or at least one error.
+template <class T>
+class [[nodiscard]] Result {
+public:
+    Result(T value) : value_(std::move(value)) {}  // NOLINT: implicit, for `return value;`
+    Result(T value, Diagnostics warnings)
+        : value_(std::move(value)),
+          diagnostics_(std::move(warnings))
+    {
+    }
+    Result(Diagnostic error) { diagnostics_.push_back(std::move(error)); }  // NOLINT
+    Result(Diagnostics errors) : diagnostics_(std::move(errors))            // NOLINT
+    {
+        assert(hasErrors(diagnostics_));
+    }
+
+    bool ok() const { return value_.has_value(); }
+    explicit operator bool() const { return ok(); }
+
+    /// The value. Requires ok().
+    T& value()
+    {
+        assert(ok());
+        return *value_;
+    }
+    const T& value() const
+    {
+        assert(ok());
+        return *value_;
+    }
+    T& operator*() { return value(); }
+    const T& operator*() const { return value(); }
+    T* operator->() { return &value(); }
+    const T* operator->() const { return &value(); }
+
+    /// Errors when not ok(); warnings, usually none, when ok().
+    const Diagnostics& diagnostics() const { return diagnostics_; }
+
+private:
+    std::optional<T> value_;
+    Diagnostics diagnostics_;
+};
+
+/// A Result with no value.
+class [[nodiscard]] Status {
+public:
+    Status() = default;
+    Status(Diagnostic error) { diagnostics_.push_back(std::move(error)); }     // NOLINT
+    Status(Diagnostics diagnostics) : diagnostics_(std::move(diagnostics)) {}  // NOLINT
+
+    bool ok() const { return !hasErrors(diagnostics_); }
+    explicit operator bool() const { return ok(); }
+    const Diagnostics& diagnostics() const { return diagnostics_; }
+
+private:
+    Diagnostics diagnostics_;
+};
 
 }  // namespace crevice

@@ -6,12 +6,9 @@
 // byte order mark, more than 64 levels, 1024 members of an object or 1 MiB are errors.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace crevice {
 
@@ -66,8 +63,7 @@ const char* kindName(Node::Kind kind);
 /// Errors: CV1001 to CV1009, with the place of the first offending character.
 Result<Node> parseDocument(const SourceRef& source);
 
-/// Reads one value of any kind, such as the right side of `--set radius=0.8`. A word that is not
-/// JSON is taken as a string.
+/// Reads a value of any kind, as behind `--set radius=`. A word that is not JSON is a string.
 Result<Node> parseValue(const SourceRef& source);
 
 }  // namespace crevice

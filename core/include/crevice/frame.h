@@ -30,20 +30,14 @@
 #pragma once
 
 #include <crevice/device.h>
-#include <crevice/source.h>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <optional>
-#include <string_view>
-#include <vector>
-
 namespace crevice {
 
-// The libraries are built with GLM's packed float types. A host that forces aligned ones would read
-// other offsets than they write.
+// The libraries are built with GLM's packed float types; aligned ones have other offsets.
 static_assert(sizeof(glm::vec3) == 12 && alignof(glm::vec4) == 4 && alignof(glm::dmat4) == 8,
               "crevice's structs hold packed GLM types: include <crevice/effect.h> alone, which "
               "has no GLM types, "
@@ -61,10 +55,10 @@ struct ImportDesc : Named {
 
 /// Numbers made on load. A kernel is a `uniform vec3 name[COUNT]`, a noise a small texture.
 struct GeneratorDesc : Named {
-    std::string generator;         ///< One of generatorNames().
+    std::string generator;         ///< "sphere_kernel", "hemisphere_kernel", "rotation_noise", ...
     int count = 16;                ///< Offsets of a kernel, or pixels along a side of a noise.
-    std::string shape = "ball";    ///< Where the offsets of a kernel lie: one of shapeNames().
-    std::string lengths = "even";  ///< How their lengths grow: one of lengthsNames().
+    std::string shape = "ball";    ///< Where the offsets of a kernel lie: "ball", "cube", "rays".
+    std::string lengths = "even";  ///< How their lengths grow: "even", "linear", "quadratic".
     unsigned seed = 1;
 };
 
@@ -90,12 +84,10 @@ struct Camera {
     /// True when the last row of `clip_from_view` is (0, 0, 0, 1), or a multiple of it.
     bool orthographic() const;
 
-    /// True when the projection is made for a view along +z: with perspective where w grows with z,
-    /// else where all of its box lies there.
+    /// True when made for a view along +z: w grows with z, or a box of parallel rays lies there.
     bool leftHanded() const;
 
-    /// True when what is farther has less depth. Passes then test and clear depth the other way
-    /// round.
+    /// True when what is farther has less depth. Passes test and clear depth the other way then.
     bool reversedDepth() const;
 };
 
@@ -163,8 +155,7 @@ struct DrawItem {
 
     /// All of it is a surface without a back of its own, seen from either side: a leaf, cloth, the
     /// ground. No pass culls it, so that its back is its front, and light passes behind it. What
-    /// has an alpha_cutoff is one in any case, and so are the triangles that sheetsOf finds in
-    /// `mesh`.
+    /// has an alpha_cutoff is one in any case, and so are triangles that sheetsOf finds in `mesh`.
     bool sheet = false;
 
     /// Draws in the place of `mesh`, `first` and `count`, in every pass that draws the scene: so
@@ -185,8 +176,7 @@ struct ImportedTexture {
     TextureId texture = {};
 
     /// A number that changes whenever the host draws into the texture, or puts another under the
-    /// same id; passes that read it are then run again. 0 means that it may change with every
-    /// frame.
+    /// same id; passes that read it then run again. 0 means that it may change with every frame.
     std::uint64_t revision = 0;
 };
 
@@ -224,15 +214,12 @@ const Camera& cameraOf(const Frame& frame, std::size_t view);
 
 /// How near and far a camera sees along its axis, in scene units. Two that differ by less than a
 /// factor of two in each are equal, so that a frame is not planned again while a camera zooms or
-/// its planes move a little; far planes past 2^20 near ones, which a float matrix no longer
-/// resolves, count as none.
+/// its planes move a little; far planes past 2^20 near ones, lost in a float matrix, count as none.
 struct CameraRange {
     double near_distance = 0;  ///< 0 of an orthographic camera,
-    /// ... and this its planes' distance from each other. Infinite where there is no far plane; 0
-    /// where nothing is known.
+    /// ... and this its planes' distance. Infinite without a far plane; 0 where nothing is known.
     double far_distance = 0;
-    /// A length covers zoom / 2 of the view's height at distance 1, or anywhere in an orthographic
-    /// view.
+    /// A length covers zoom / 2 of the view's height at distance 1, or anywhere if orthographic.
     double zoom = 0;
     double depth_share = 1;  ///< What the planes lie apart in window depth.
 
@@ -242,8 +229,7 @@ struct CameraRange {
 /// Of the projection as it is: off-centre, reversed, infinite or orthographic.
 CameraRange rangeOf(const Camera& camera);
 
-/// Where the draws in view lie, by their bounds, when a plan is made: one is not made again, or
-/// warned of, because they move.
+/// Where the draws in view lie, by their bounds, as a plan is made: no move plans again, or warns.
 struct DrawRange {
     /// Mean distance along the view's axis, each draw's by how much of the view it covers; 0 where
     /// that is not known: without draws, or where one has no bounds.

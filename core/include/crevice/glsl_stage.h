@@ -7,12 +7,7 @@
 // the declarations that the compiler will see.
 #pragma once
 
-#include <crevice/result.h>
-
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
+#include <crevice/diagnostic.h>
 
 namespace crevice {
 

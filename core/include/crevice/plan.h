@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A plan: what will run, in which order, on which textures, and what was left out and why.
 //
-// It holds everything that running needs and knows no config: `compile` makes one of a description,
-// and a host may as well fill one by hand.
+// It holds all that running needs and knows no config: `compile` makes one, or a host fills one.
 #pragma once
 
-#include <crevice/device.h>
 #include <crevice/frame.h>
-#include <crevice/glsl_stage.h>
 
 #include <array>
-#include <string>
-#include <vector>
 
 namespace crevice {
 
@@ -29,8 +24,7 @@ struct PlanTexture {
     Extent extent;
     int samples = 1;
     std::vector<std::string> targets;  ///< In the order in which they use it.
-    /// One for all views, which use it in turn; or one a view, where what it holds outlives the
-    /// view's passes: an output, a history.
+    /// One for all views in turn; or one a view, of what outlives its passes: an output, a history.
     int copies = 1;
 };
 
@@ -41,14 +35,12 @@ double textureBytes(const PlanTexture& texture);
 struct PlanTarget {
     std::string name;
     int texture = -1;  ///< Index into Plan::textures.
-    /// What the writer draws into: `texture`, unless that is resolved from one with several
-    /// samples.
+    /// What the writer draws into: `texture`, unless that is resolved from one of several samples.
     int drawn_texture = -1;
     int first_pass = -1;  ///< The writer.
     /// The last reader; the number of passes when an output or remembered.
     int last_pass = -1;
-    /// What it held last frame, where someone reads that; the two textures change places before
-    /// each frame.
+    /// What it held last frame, where someone reads that; the two change places before each frame.
     int history_texture = -1;
 };
 
@@ -56,7 +48,7 @@ struct PlanTarget {
 enum class InputKind { target, history, generated, imported, material, constant };
 
 struct PlanInput {
-    std::string sampler;  ///< GLSL name; empty for what the pass is `mask`.
+    std::string name;  ///< Of the sampler in GLSL; empty for what the pass is `mask`.
     InputKind kind = InputKind::target;
     int index = -1;  ///< Into targets (of history too), generated, imports, constants, maps.
     SamplerDesc sampling;
@@ -77,8 +69,7 @@ struct PlanParam {
     std::array<float, 4> initial = {0, 0, 0, 0};  ///< Until `setParam`; as many as the type has.
 };
 
-/// Where a uniform's value comes from. A value of `frame` is the same for a whole pass; one of
-/// `draw` changes with each item of the draw list.
+/// Where a uniform's value comes from: of `frame` the same for a pass, of `draw` for each item.
 enum class UniformSource { param, frame, draw, kernel };
 
 /// A uniform of a pass and the value that it is fed from.
@@ -130,10 +121,6 @@ struct Elided {
     std::string reason;  ///< One sentence.
 };
 
-struct PlanConstant {
-    float value = 0.0f;  ///< In all four channels of a 1x1 texture.
-};
-
 /// An exported output: a target, or a constant when `constant` is not -1.
 struct PlanOutput {
     std::string name;
@@ -145,14 +132,13 @@ struct Plan {
     std::string config;
     Extent extent;
     int views = 1;  ///< Every pass runs once for each, all passes of one before the next.
-    /// Passes run in every frame, also where nothing that they read has changed: the optimization
-    /// "cached" is off.
+    /// Passes run also where nothing that they read has changed: the optimization "cached" is off.
     bool reruns = false;
     std::vector<PlanPass> passes;
     std::vector<PlanTarget> targets;
     std::vector<PlanTexture> textures;
     std::vector<PlanProgram> programs;
-    std::vector<PlanConstant> constants;
+    std::vector<float> constants;          ///< Each in all four channels of a 1x1 texture.
     std::vector<PlanParam> params;         ///< Those that a pass uses.
     std::vector<GeneratorDesc> generated;  ///< Those that a pass uses.
     std::vector<ImportDesc> imports;       ///< Those that a pass uses.

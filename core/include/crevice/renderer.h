@@ -12,10 +12,6 @@
 #pragma once
 
 #include <crevice/compile.h>
-#include <crevice/frame.h>
-
-#include <memory>
-#include <string>
 
 namespace crevice {
 
@@ -38,8 +34,7 @@ public:
     /// Runs those passes of the plan whose input has changed since the last frame (Frame says how
     /// that is known), and those after them. A frame with other traits than the plan was made for
     /// is planned again first; where that fails, the old plan and its pictures stay. The warnings
-    /// of a new plan come back with the one frame that it was made for: look at `diagnostics()` of
-    /// what is `ok()` as well.
+    /// of a new plan come back with the frame that it was made for: look at `diagnostics()` always.
     ///
     /// What of a frame no shader could draw is left out with a warning CV6011, in every frame that
     /// has it: draws with a mesh or texture that the device does not have, with indices past the
@@ -67,8 +62,7 @@ public:
     /// run does not change. Default: off.
     ///
     /// Warns with CV6018 where nothing can be measured: the device has no timer that can be
-    /// trusted, as on software renderers, or the plan's views have more than kMaxFrameTimers passes
-    /// together.
+    /// trusted, as on software renderers, or views have more than kMaxFrameTimers passes together.
     Status setTiming(bool on);
 
     /// What the latest frame took whose results are in. Null before there are any: after

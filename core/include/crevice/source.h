@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where text comes from: a named text, a place in it, and the sets of texts that modules live in.
 //
-// Every value that crevice reads keeps the place it was written at, so that a message years of
-// merging later can still point at the character.
+// Every value keeps the place it was written at, so that messages point at it whatever was merged.
 #pragma once
 
 #include <cstddef>
@@ -66,8 +65,7 @@ public:
 /// Texts held in memory; what tests and the embedded catalog use.
 class MemorySources : public SourceSet {
 public:
-    /// Adds or replaces the text at `path`. A message names it `name`, or `path` when that is
-    /// empty.
+    /// Adds or replaces the text at `path`. A message names it `name`, or `path` if that is empty.
     void add(std::string path, std::string text, std::string name = {});
 
     SourceRef find(std::string_view path) const override;
@@ -77,8 +75,7 @@ private:
     std::map<std::string, SourceRef, std::less<>> texts_;  // by path
 };
 
-/// Files below a folder, read again at each `find`: what --effects reads. A link that leads out of
-/// the folder and of `roots` is no text.
+/// Files below a folder, read at each `find` (--effects). A link out of it and `roots` is no text.
 class DirectorySources : public SourceSet {
 public:
     explicit DirectorySources(std::string root, std::vector<std::string> roots = {})
@@ -119,8 +116,7 @@ bool isOnDisk(std::string_view path);
 /// above the root of a catalog path; a path on disk may climb as far as it likes.
 std::string resolvePath(std::string_view from, std::string_view path);
 
-/// Where a text is, as something to resolve paths against: its path in a SourceSet, or a path on
-/// disk that begins with '/', "./" or "../".
+/// Where a text is, to resolve paths against: its path in a SourceSet, or one that isOnDisk.
 std::string locationOf(const SourceText& source);
 
 /// Reads a regular file, cut one byte behind kMaxDocumentBytes. Null when it cannot be read.

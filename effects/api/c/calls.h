@@ -5,11 +5,9 @@
 #pragma once
 
 #include <crevice/crevice.h>
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <cstring>
-#include <string>
-#include <vector>
 
 /// A list of diagnostics with the strings that C reads.
 struct crevice_error {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contexts and devices, and the version.
 #include <crevice/context.h>
-#include <crevice/gl_device.h>
 
 #include "effects/api/c/handles.h"
 

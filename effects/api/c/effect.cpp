@@ -6,14 +6,11 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include <utility>
-
 using namespace crevice;
 
 namespace {
 
-/// What an effect begins as, before its own description takes this one's place: nothing is drawn
-/// where the intensity is 0.
+/// What an effect begins as, before its own description: at intensity 0 nothing is drawn.
 constexpr const char* kBlank = R"({ "format": 1, "name": "blank", "params": { "intensity": 0 },
     "extends": ["geometry/host_depth", "ssao/hemisphere"] })";
 

@@ -4,20 +4,11 @@
 #pragma once
 
 #include <crevice/config.h>
-#include <crevice/crevice.h>
 #include <crevice/effect.h>
 
-#include "core/frame/frame_values.h"
+#include "core/frame/frame_math.h"
 #include "core/gpu/owned.h"
 #include "effects/api/c/calls.h"
-
-#include <glm/mat4x4.hpp>
-
-#include <iterator>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace crevice {
 
@@ -115,8 +106,7 @@ MeshDesc meshOf(const crevice_mesh_desc& desc);
 HostMesh meshOf(const crevice_host_mesh& from);
 HostFramebuffer framebufferOf(const crevice_target& target);
 
-/// Errors: CV6011 for null, a struct of a wrong size, a name that is no format's, and an unknown
-/// kind.
+/// Errors: CV6011 for null, a struct of a wrong size, no format's name, and an unknown kind.
 Status takeTexture(const crevice_texture* given, HostTexture& host);
 
 /// Runs a call on an effect that is not null, and keeps its warnings.

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// An effect's config: from a name, a file or a text to a description, and from values that were set
-// back to a patch.
+// An effect's config: from a name, file or text to a description, and from set values to a patch.
 #include <crevice/shipped.h>
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/config/values.h"
 #include "core/json/merge.h"
-#include "core/json/override.h"
 #include "effects/api/c/handles.h"
 
 namespace crevice {
-
 namespace {
 
 /// Lays the patch over the document.

@@ -24,8 +24,7 @@ uniform float sigma;
 in vec2 uv;
 layout(location = 0) out float ao_filtered;
 
-// The standard deviation at a pixel, in pixels along the axis: so large that the window ends at two of
-// them, at most.
+// The standard deviation at a pixel, in pixels along the axis, at most half of the window.
 float sigmaInPixels(vec2 axis, vec2 size)
 {
 #if CAMERA_ORTHOGRAPHIC

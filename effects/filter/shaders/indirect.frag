@@ -1,7 +1,6 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// One direction of a mean over four pixels of light that stops at steps and edges: what filter/bilateral_normal
-// does to occlusion.
+// One direction of a mean over four pixels of light that stops at edges, as filter/bilateral_normal's of occlusion.
 //
 //   source_depth       depth as a share, with the guard band
 //   source_normal      normals, with the guard band

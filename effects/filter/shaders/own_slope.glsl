@@ -4,8 +4,7 @@
 //   DEPTH_CUT_FROM  slope: as said, so that a floor seen at a grazing angle is filtered as well as a wall, which is
 //                   ours; depth: none, so that depths themselves are compared, as authors do
 
-// How much the view depth changes by `step` in uv: of the two sides the smaller in size, which at an edge is that of
-// the pixel's own surface.
+// How much view depth changes by `step` in uv: on the side where it is less, which at an edge is the pixel's own.
 highp float ownSlope(highp vec2 at, highp float center_z, highp vec2 step)
 {
 #if DEPTH_CUT_FROM == DEPTH_CUT_FROM_DEPTH

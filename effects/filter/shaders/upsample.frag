@@ -1,7 +1,6 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// Full-size occlusion from that of fewer pixels: the mean of the four nearest by how near they lie on the
-// screen and in depth.
+// Full-size occlusion from that of fewer pixels: the mean of the four nearest, by nearness on screen and in depth.
 //
 //   surface        interface: view depth, at full size
 //   source_normal  normals at the size of ao_low, with the guard band

@@ -9,18 +9,10 @@
 //     effect->render();
 //     GLuint ao = effect->nativeName("ao");
 //
-// Below it lie loadConfig, decode, compile and Renderer, for applications that want one of those
-// steps.
+// Below it lie loadConfig, decode, compile and Renderer, for applications that want a single step.
 #pragma once
 
 #include <crevice/device.h>
-#include <crevice/result.h>
-
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace crevice {
 
@@ -63,24 +55,21 @@ public:
 
     /// Where the camera stands: 16 doubles by columns. Default: at the origin, looking along -z,
     /// or along +z under a left-handed projection; such a view mirrors. Without perspective that is
-    /// one whose box lies along +z as a whole. What draws nothing and keeps no history does not
-    /// depend on it.
+    /// one whose box lies along +z. What draws nothing and keeps no history does not depend on it.
     void setView(const double* view_from_world);
 
     /// The clip control (glClipControl) that the projection is made for and the host's textures
     /// were drawn with. Default: as it is when `render` is called.
     void setClipControl(const ClipControl& control);
 
-    /// The depth range (glDepthRange) that the host's depth was drawn with. Default: as it is when
-    /// `render` is called.
+    /// The depth range (glDepthRange) of the host's depth. Default: as it is in `render`.
     void setDepthRange(const DepthRange& range);
 
     /// Hands over a picture for an import of the config: a texture, a layer or part of one, a
     /// renderbuffer or the depth of a framebuffer. It stays the host's, and must be what it is said
     /// to be. Its content may change with every frame. A texture is read where it is; of all else
     /// `render` takes a copy, one blit a frame. Costs nothing where all is as before; hand it over
-    /// again after giving it other storage. Another format than before plans again, since shaders
-    /// allow for its steps.
+    /// again after giving it other storage. Another format plans again: shaders know its steps.
     ///
     /// Errors: CV2102 for a name that the config does not import; those of Device::adoptTexture and
     /// Renderer::setImportFormat; the texture of before stays.
@@ -109,8 +98,7 @@ public:
     Status render();
 
     /// The API's name of an output's texture of one view, which is the device's: sample it, and
-    /// neither write nor delete it. Ask again after each frame. 0 where the config has no such
-    /// output, or none was drawn.
+    /// neither write nor delete it. Ask again after each frame. 0 for an output that is not drawn.
     std::uint32_t nativeName(std::string_view output, int view = 0) const;
 
     /// The same with format and size. Good until the next call of `render`, `resize`, `setParam` or
@@ -125,12 +113,10 @@ public:
     /// The same as an id of the device, for Device::present and Device::readTexture.
     TextureId output(std::string_view name, int view = 0) const;
 
-    /// Draw list, materials, lights and all else that the next frame is drawn from
-    /// (<crevice/frame.h>).
+    /// Draw list, materials, lights, all that the next frame is drawn from (<crevice/frame.h>).
     Frame& frame();
 
-    /// What runs below: the plan, times of passes, changes of params as a patch
-    /// (<crevice/renderer.h>).
+    /// What runs below: the plan, times of passes, params as a patch (<crevice/renderer.h>).
     Renderer& renderer();
 
 private:

@@ -4,9 +4,6 @@
 
 #include <crevice/source.h>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// All of effects/ by path ("ssao/hemisphere.json", "ssao/shaders/hemisphere.frag") and all of

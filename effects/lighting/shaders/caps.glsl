@@ -16,8 +16,7 @@ highp float glossOpen(highp float open, highp float n_dot_v, highp float exponen
     return clamp(pow(max(n_dot_v + open, 1e-6), curve) - 1.0 + open, 0.0, 1.0);
 }
 
-// The share of the smaller of two caps, given by their half angles, that lies in the other when their
-// axes are `apart`; all in radians.
+// The share of the smaller of two caps, of those half angles, that lies in the other; axes `apart`, in radians.
 highp float capOverlap(highp float a, highp float b, highp float apart)
 {
     highp float inside = abs(a - b);

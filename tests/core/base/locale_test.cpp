@@ -4,7 +4,7 @@
 
 #include "tests/support/comma_locale.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/show/plan/planning.h"
 #include "tools/show/plan/print.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Numbers as text, held against the standard library's <charconv>, where it has the floating-point
 // half.
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include "tests/support/catch.h"
 

@@ -3,7 +3,6 @@
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "tests/support/renderer_rig.h"
 #include "tools/show/plan/planning.h"

@@ -71,13 +71,13 @@ TEST_CASE("a pass takes every key", "[decode]")
     CHECK(p.clear.at(0).value == std::array<float, 4>{0.5f, 0.5f, 0.5f, 0.5f});
     CHECK(p.clear.at(1).value == std::array<float, 4>{1, 2, 3, 4});
     CHECK(p.clear.at(2).value[0] == 1.0f);
-    CHECK(p.when.terms.at(0).values == std::vector<std::string>{"true"});
-    CHECK(p.when.terms.at(1).values == std::vector<std::string>{"hard", "smooth"});
-    CHECK(p.when.terms.at(2).subject.name == "scene.lights");
-    CHECK(p.when.terms.at(2).values == std::vector<std::string>{"3"});
-    CHECK(p.bypass.at(0).output.name == "ao");
+    CHECK(p.when.at(0).values == std::vector<std::string>{"true"});
+    CHECK(p.when.at(1).values == std::vector<std::string>{"hard", "smooth"});
+    CHECK(p.when.at(2).name == "scene.lights");
+    CHECK(p.when.at(2).values == std::vector<std::string>{"3"});
+    CHECK(p.bypass.at(0).name == "ao");
     CHECK(p.bypass.at(0).input.name == "depth");
-    CHECK(p.no_op.at(0).param.name == "radius");
+    CHECK(p.no_op.at(0).name == "radius");
     CHECK(p.no_op.at(0).at == 0.0f);
     CHECK(p.no_op.at(0).gives.at(0).constant);
     CHECK(p.no_op.at(0).gives.at(0).value == 1.0f);
@@ -92,7 +92,7 @@ TEST_CASE("a pass takes every key", "[decode]")
     CHECK_FALSE((p.inputs.at(1).has_filter || p.inputs.at(1).has_wrap));
     CHECK(p.inputs.at(1).filter == Filter::nearest);
     CHECK(p.inputs.at(1).wrap == Wrap::clamp);
-    CHECK(p.inputs.at(2).sampler.name == "tile");
+    CHECK(p.inputs.at(2).name == "tile");
     CHECK(p.inputs.at(2).from.name == "noise");
     CHECK(p.inputs.at(3).from.pointer == "/passes/p/inputs/lowered/from");
     CHECK((p.inputs.at(3).has_filter && !p.inputs.at(3).has_wrap));

@@ -88,7 +88,7 @@ TEST_CASE("A level that the device cannot run is a warning first, and an error w
     for (FeatureDesc& feature : description.features)
         for (FeatureDesc::Level& level : feature.sets)
             for (FeatureDesc::Setting& each : level.settings)
-                if (level.word.name == "high" && each.name == "resolution") each.value[0] = 1e6f;
+                if (level.name == "high" && each.name == "resolution") each.value[0] = 1e6f;
     const auto made = Renderer::create(rig.device, description, {{64, 32}}, traitsOf(rig.frame));
     REQUIRE(made.ok());
     REQUIRE(made.diagnostics().size() == 1);

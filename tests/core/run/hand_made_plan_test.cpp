@@ -4,7 +4,7 @@
 
 #include <crevice/recording_device.h>
 
-#include "core/frame/frame_values.h"
+#include "core/frame/frame_math.h"
 #include "tests/support/catch.h"
 
 namespace crevice {

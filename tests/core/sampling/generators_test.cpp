@@ -24,14 +24,25 @@ using Kernel = std::pair<std::string, std::string>;  // shape, lengths
 std::vector<Kernel> allKernels()
 {
     std::vector<Kernel> all;
-    for (const std::string& shape : shapeNames())
-        for (const std::string& lengths : lengthsNames()) all.emplace_back(shape, lengths);
+    for (const std::string& shape : kShapeNames)
+        for (const std::string& lengths : kLengthsNames) all.emplace_back(shape, lengths);
     return all;
+}
+
+GeneratorDesc kernelDesc(bool hemisphere, int count, const Kernel& of, unsigned seed)
+{
+    const char* const generator = hemisphere ? "hemisphere_kernel" : "sphere_kernel";
+    return {{"kernel"}, generator, count, of.first, of.second, seed};
+}
+
+GeneratorDesc noiseDesc(const char* generator, int size, unsigned seed)
+{
+    return {{"noise"}, generator, size, "ball", "even", seed};
 }
 
 std::vector<glm::vec3> kernelOf(bool hemisphere, int count, const Kernel& of, unsigned seed)
 {
-    const auto kernel = makeKernel({hemisphere, count, of.first, of.second, seed});
+    const auto kernel = makeKernel(kernelDesc(hemisphere, count, of, seed));
     REQUIRE(kernel.ok());
     return *kernel;
 }
@@ -108,9 +119,10 @@ TEST_CASE("a seed gives the same numbers again and another seed gives others")
         CHECK(kernel == kernelOf(true, 16, of, 5));
         CHECK(kernel != kernelOf(true, 16, of, 6));
     }
-    for (const auto make : {makeRotationNoise, makeVectorNoise}) {
-        CHECK(make(4, 1)->pixels == make(4, 1)->pixels);
-        CHECK(make(4, 1)->pixels != make(4, 2)->pixels);
+    for (const char* generator : {"rotation_noise", "vector_noise"}) {
+        const Result<Image> noise = makeNoise(noiseDesc(generator, 4, 1));
+        CHECK(noise->pixels == makeNoise(noiseDesc(generator, 4, 1))->pixels);
+        CHECK(noise->pixels != makeNoise(noiseDesc(generator, 4, 2))->pixels);
     }
 }
 
@@ -127,10 +139,10 @@ TEST_CASE("the numbers are these on every platform")
           glm::vec3(0x1.07b2c2p-1f, 0x1.204092p-2f, 0x1.92962ap-2f));
     CHECK(kernelOf(true, 4, {"cube", "quadratic"}, 1)[3] ==
           glm::vec3(0x1.671f86p-3f, 0x1.8927a2p-3f, 0x1.839bbp-3f));
-    const Image vectors = *makeVectorNoise(4, 1);
+    const Image vectors = *makeNoise(noiseDesc("vector_noise", 4, 1));
     CHECK(vectors.at(3, 1, 0) == -0x1.faad18p-3f);
     CHECK(vectors.at(3, 1, 1) == 0x1.a56c7ap-1f);
-    const Image noise = *makeRotationNoise(4, 1);
+    const Image noise = *makeNoise(noiseDesc("rotation_noise", 4, 1));
     CHECK(noise.at(0, 0, 0) == 0x1.7251c4p-8f);
     CHECK(noise.at(0, 0, 1) == 0x1.fffde8p-1f);
     CHECK(noise.at(3, 1, 0) == -0x1.e8948p-1f);
@@ -142,7 +154,7 @@ TEST_CASE("the numbers are these on every platform")
 TEST_CASE("rotation noise holds unit vectors, each in a stratum of its own")
 {
     for (int size : {1, 2, 3, 4, 5, 8, kMaxNoiseSize}) {
-        const Result<Image> noise = makeRotationNoise(size, 9);
+        const Result<Image> noise = makeNoise(noiseDesc("rotation_noise", size, 9));
         REQUIRE(noise.ok());
         CHECK(noise->extent == Extent{size, size});
         CHECK(noise->channels == 4);
@@ -163,15 +175,16 @@ TEST_CASE("rotation noise holds unit vectors, each in a stratum of its own")
 TEST_CASE("a generator that is asked for the impossible says what is possible")
 {
     for (int count : {-1, 0, kMaxKernelSize + 1}) {
-        const auto kernel = makeKernel({true, count, "ball", "even", 1});
+        const auto kernel = makeKernel(kernelDesc(true, count, {"ball", "even"}, 1));
         REQUIRE(kernel.diagnostics().size() == 1);
         CHECK(kernel.diagnostics()[0].code == Code::out_of_range);
         CHECK(kernel.diagnostics()[0].message.find("[1, " + std::to_string(kMaxKernelSize) + "]") !=
               std::string::npos);
     }
     for (int size : {-1, 0, kMaxNoiseSize + 1})
-        CHECK(makeRotationNoise(size, 1).diagnostics()[0].code == Code::out_of_range);
-    const auto kernel = makeKernel({true, 4, "rays", "liner", 1});
+        CHECK(makeNoise(noiseDesc("rotation_noise", size, 1)).diagnostics()[0].code ==
+              Code::out_of_range);
+    const auto kernel = makeKernel(kernelDesc(true, 4, {"rays", "liner"}, 1));
     REQUIRE(kernel.diagnostics().size() == 1);
     CHECK(kernel.diagnostics()[0].code == Code::bad_enum);
     CHECK(kernel.diagnostics()[0].help.find("linear") != std::string::npos);
@@ -179,8 +192,8 @@ TEST_CASE("a generator that is asked for the impossible says what is possible")
 
 TEST_CASE("generators are known by name")
 {
-    CHECK(generatorNames() == std::vector<std::string>{"sphere_kernel", "hemisphere_kernel",
-                                                       "rotation_noise", "vector_noise"});
+    CHECK(kGeneratorNames == std::vector<std::string>{"sphere_kernel", "hemisphere_kernel",
+                                                      "rotation_noise", "vector_noise"});
     CHECK(generatesTexture("rotation_noise"));
     CHECK(generatesTexture("vector_noise"));
     CHECK_FALSE(generatesTexture("sphere_kernel"));

@@ -6,7 +6,7 @@
 // planes, formats and projections of any kind. It is drawn as it is, and again in 32 bits between
 // ordinary planes. It changed where the mean change is more than half a step of 8 bits; a warning
 // is false where it is less than an eighth. Scenes have occlusion to lose.
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "tests/support/nightly.h"
 #include "tests/support/picture.h"
 #include "tools/commands/cli/config_options.h"

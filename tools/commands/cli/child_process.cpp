@@ -3,7 +3,7 @@
 #include "tools/commands/cli/child_process.h"
 
 #include "core/base/files.h"
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "tools/commands/cli/output.h"
 #include "tools/render/image/image_file.h"
 

@@ -4,7 +4,7 @@
 #include <crevice/compile.h>
 
 #include "core/base/content_hash.h"
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 

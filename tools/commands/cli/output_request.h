@@ -2,7 +2,7 @@
 // What `crevice render --out NAME=FILE` asks for: an output, a debug view or any target, in a file.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <string>
 

@@ -2,7 +2,6 @@
 #include "tools/commands/cli/patch_text.h"
 
 #include "core/json/merge.h"
-#include "core/json/override.h"
 
 #include <nlohmann/json.hpp>
 

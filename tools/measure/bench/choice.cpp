@@ -2,7 +2,6 @@
 // The choice between measured configs.
 #include "tools/measure/bench/choice.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 #include <crevice/config.h>
 
 #include "core/base/content_hash.h"
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "tools/measure/bench/run.h"
 
 #include "core/base/content_hash.h"
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <cmath>
 #include <utility>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/measure/bench/run_options.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <CLI/CLI.hpp>

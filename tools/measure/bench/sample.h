@@ -9,8 +9,8 @@
 
 #include "tools/measure/motion/figures.h"
 
+#include <crevice/diagnostic.h>
 #include <crevice/image.h>
-#include <crevice/result.h>
 
 #include <string>
 #include <vector>

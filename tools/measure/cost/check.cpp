@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/measure/cost/check.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <utility>
 

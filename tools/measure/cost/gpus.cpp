@@ -3,7 +3,6 @@
 // figures each, in src/{panfrost,broadcom} and src/gallium/drivers/freedreno/ir3/ir3_gallium.c.
 #include "tools/measure/cost/gpus.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <algorithm>

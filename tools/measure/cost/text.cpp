@@ -2,7 +2,7 @@
 // Costs as a table: passes down, GPUs across.
 #include "tools/measure/cost/cost.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "tools/measure/cost/pass_roles.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/measure/motion/table.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "tools/render/camera_path.h"
 
 namespace crevice {

@@ -2,7 +2,7 @@
 // Rays through pixels, and rays about surfaces.
 #include "tools/measure/reference/pixel_tracer.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/frame/frame_math.h"
 
 #include <glm/gtc/constants.hpp>

@@ -2,7 +2,7 @@
 // From judged series to sentences.
 #include "tools/measure/stress/breakdown.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>

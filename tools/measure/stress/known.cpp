@@ -5,7 +5,6 @@
 #include "tools/measure/line_file.h"
 #include "tools/measure/stress/limits.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <nlohmann/json.hpp>

@@ -18,7 +18,7 @@ std::string keptBy(const Plan& plan, const Description& description, const PlanP
     if (!desc) return "";
     for (const PreservesConstantDesc& each : desc->preserves_constant)
         for (const PlanInput& input : pass.inputs)
-            if (each.output.name == target && input.sampler == each.sampler.name &&
+            if (each.name == target && input.name == each.sampler.name &&
                 input.kind == InputKind::target)
                 return plan.targets[input.index].name;
     return "";

@@ -4,7 +4,7 @@
 
 #include "tools/measure/stress/case.h"
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <string>
 #include <vector>

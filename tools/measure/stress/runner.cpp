@@ -2,7 +2,7 @@
 // One step of a stress case, from its shot to its figures.
 #include "tools/measure/stress/runner.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "tools/measure/line_file.h"
 #include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/reference/tracer.h"

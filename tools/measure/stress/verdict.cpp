@@ -3,7 +3,6 @@
 #include "tools/measure/stress/limits.h"
 #include "tools/measure/stress/record.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // A folder of linked programs, a file for each, named by its key: what --program-cache names.
 #pragma once
 
+#include <crevice/diagnostic.h>
 #include <crevice/gl_device.h>
-#include <crevice/result.h>
 
 #include <memory>
 #include <string>

@@ -3,7 +3,7 @@
 #include "tools/render/image/image_file.h"
 
 #include "core/base/files.h"
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION

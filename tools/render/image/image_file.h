@@ -6,8 +6,8 @@
 // no reader ever sees half a file.
 #pragma once
 
+#include <crevice/diagnostic.h>
 #include <crevice/image.h>
-#include <crevice/result.h>
 
 #include <filesystem>
 #include <string>

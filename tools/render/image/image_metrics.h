@@ -2,8 +2,8 @@
 // How far one image is from another: the figures that every report uses.
 #pragma once
 
+#include <crevice/diagnostic.h>
 #include <crevice/image.h>
-#include <crevice/result.h>
 
 namespace crevice {
 

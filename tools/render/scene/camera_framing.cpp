@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/scene/camera_framing.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -55,7 +55,7 @@ MovedBytes movedBytes(const Plan& plan, const PlanPass& pass)
         const bool known = input.kind == InputKind::target || input.kind == InputKind::history;
         const double read = known ? texels(input.index) : count * kUnknownTexelBytes;
         bytes.read += read;
-        if (input.sampler.empty()) bytes.loaded += read;
+        if (input.name.empty()) bytes.loaded += read;
     }
     const auto write = [&](const PlanAttachment& attachment) {
         if (attachment.store != StoreOp::store) return;

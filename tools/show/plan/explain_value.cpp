@@ -3,7 +3,7 @@
 #include "tools/show/plan/explain_value.h"
 
 #include "core/base/text.h"
-#include "core/json/override.h"
+#include "core/json/merge.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,6 @@
 #include "tools/show/plan/names.h"
 #include "tools/show/plan/print.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/config/field_types.h"
 
@@ -50,7 +49,7 @@ Json attachmentJson(const Plan& plan, const PlanAttachment& attachment)
 
 Json inputJson(const Plan& plan, const PlanInput& input)
 {
-    return {{"sampler", input.sampler},
+    return {{"sampler", input.name},
             {"kind", nameOf(input.kind)},
             {"from", sourceName(plan, input)},
             {"filter", table::word(input.sampling.filter)},
@@ -110,7 +109,7 @@ Json outputJson(const Plan& plan, const PlanOutput& output)
     const bool constant = output.constant >= 0;
     return {{"name", output.name},
             {"target", constant ? Json() : Json(plan.targets[output.target].name)},
-            {"constant", constant ? numberJson(plan.constants[output.constant].value) : Json()}};
+            {"constant", constant ? numberJson(plan.constants[output.constant]) : Json()}};
 }
 
 bool isFlat(const Json& json)

@@ -6,7 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/config/decode_report.h"
-#include "core/frame/frame_values.h"
+#include "core/frame/frame_math.h"
 #include "core/glsl/compiler_words.h"
 
 #include <algorithm>

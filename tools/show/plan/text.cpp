@@ -5,7 +5,6 @@
 #include "tools/show/plan/names.h"
 #include "tools/show/plan/print.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/config/field_types.h"
 
@@ -51,10 +50,10 @@ std::string sourceName(const Plan& plan, const PlanInput& input)
     case InputKind::history: return plan.targets[input.index].name;
     case InputKind::generated: return plan.generated[input.index].name;
     case InputKind::imported: return plan.imports[input.index].name;
-    case InputKind::constant: return shortest(plan.constants[input.index].value);
+    case InputKind::constant: return shortest(plan.constants[input.index]);
     case InputKind::material: break;
     }
-    return input.sampler;
+    return input.name;
 }
 
 std::string sizeText(const Extent& extent)
@@ -105,10 +104,10 @@ std::string samplingText(const SamplerDesc& sampling)
 std::string readText(const Plan& plan, const PlanInput& input)
 {
     const std::string source = sourceName(plan, input);
-    if (input.sampler.empty()) return "    drawn   where " + source + " is more than 0\n";
-    std::string text = "    reads   " + input.sampler;
+    if (input.name.empty()) return "    drawn   where " + source + " is more than 0\n";
+    std::string text = "    reads   " + input.name;
     if (input.kind == InputKind::material) return text + " of the material\n";
-    text += input.kind == InputKind::target && source == input.sampler
+    text += input.kind == InputKind::target && source == input.name
                 ? ""
                 : std::string(" from ") + nameOf(input.kind) + " " + source;
     if (input.kind == InputKind::constant) return text + "\n";
@@ -166,7 +165,7 @@ std::string outputText(const Plan& plan, const PlanOutput& output)
 {
     const bool constant = output.constant >= 0;
     return "  " + output.name + ": " +
-           (constant ? "constant " + shortest(plan.constants[output.constant].value)
+           (constant ? "constant " + shortest(plan.constants[output.constant])
                      : "target " + plan.targets[output.target].name) +
            "\n";
 }

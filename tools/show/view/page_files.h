@@ -3,7 +3,7 @@
 // browser asks for is looked up in that list and never made into a path.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <map>
 #include <string>

@@ -4,7 +4,7 @@
 
 #include "tools/measure/reference/tracer.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include "tests/support/need.h"
 #include "tools/render/scene/mesh_shapes.h"

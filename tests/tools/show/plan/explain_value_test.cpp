@@ -3,7 +3,6 @@
 #include "tests/support/catch.h"
 
 #include "core/json/merge.h"
-#include "core/json/override.h"
 #include "tests/support/need.h"
 #include "tools/show/plan/explain_value.h"
 

@@ -3,7 +3,7 @@
 // folder.
 #include "tools/measure/stress/cases/all.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "tools/show/plan/names.h"
 
 #include <algorithm>

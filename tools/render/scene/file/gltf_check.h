@@ -2,7 +2,7 @@
 // What a glTF file says about itself and Assimp does not look at: its version and its extensions.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <string>
 

@@ -3,7 +3,6 @@
 #include "tools/render/scene/file/import.h"
 
 #include "core/base/files.h"
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "tools/commands/cli/output.h"
 #include "tools/render/image/image_file.h"

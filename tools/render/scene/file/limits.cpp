@@ -2,7 +2,7 @@
 // A part that any file may take, and another for each of its bytes.
 #include "tools/render/scene/file/limits.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <unistd.h>
 

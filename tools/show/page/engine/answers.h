@@ -2,7 +2,7 @@
 // What exported functions share: answers as JSON text.
 #pragma once
 
-#include <crevice/result.h>
+#include <crevice/diagnostic.h>
 
 #include <emscripten.h>
 #include <nlohmann/json.hpp>

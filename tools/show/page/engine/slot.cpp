@@ -4,7 +4,7 @@
 
 #include <crevice/shipped.h>
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/config/field_types.h"
 #include "core/json/merge.h"
 #include "tools/commands/cli/patch_text.h"

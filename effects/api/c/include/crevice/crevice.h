@@ -58,8 +58,7 @@
 extern "C" {
 #endif
 
-/// The version of this header, by semantic versioning. Before 1.0 a minor version may break what
-/// the last one had.
+/// The version of this header, by semantic versioning. Before 1.0 a minor version may break things.
 #define CREVICE_VERSION_MAJOR 0
 #define CREVICE_VERSION_MINOR 1
 #define CREVICE_VERSION_PATCH 0
@@ -188,8 +187,7 @@ typedef struct crevice_effect_desc {
 
     /// The name of a config ("mobile"), or with modules laid over it
     /// ("mobile+geometry/host_depth"); the path of a file that ends in ".json"; or JSON text that
-    /// begins with '{'. Files that JSON text names are found as those of a file in the current
-    /// folder.
+    /// begins with '{', which names files as one in the current folder would.
     const char* config;
 
     /// A folder with modules and configs of your own, or null: FOLDER/effects/ssao/mine.json is the
@@ -201,8 +199,7 @@ typedef struct crevice_effect_desc {
 
     int width, height;  ///< Of the outputs, in pixels.
 
-    /// Names of the outputs that are wanted, such as "ao". What none of them needs is not run. None
-    /// means all.
+    /// Names of wanted outputs, such as "ao"; what none of them needs is not run. None means all.
     const char* const* outputs;
     int output_count;
 
@@ -214,8 +211,7 @@ typedef struct crevice_effect_desc {
 
 /// Loads the config and makes all that it needs, shaders too.
 ///
-/// Errors: CV1xxx to CV5xxx for mistakes in it, all at once with their places; CV6xxx for what the
-/// device cannot do.
+/// Errors: CV1xxx to CV5xxx for all mistakes in it, with places; CV6xxx for what no device can do.
 CREVICE_API crevice_error* crevice_effect_create(crevice_device* device,
                                                  const crevice_effect_desc* desc,
                                                  crevice_effect** effect);
@@ -232,8 +228,7 @@ CREVICE_API crevice_error* crevice_effect_resize(crevice_effect* effect, int wid
 CREVICE_API void crevice_effect_destroy(crevice_effect* effect);
 
 /// Warnings of the last call on the effect that could give some (create, reload, resize, set,
-/// render), or null. They are the effect's: do not free them, and read them before the next such
-/// call.
+/// render), or null. They are the effect's until the next such call: do not free them.
 CREVICE_API const crevice_error* crevice_effect_warnings(const crevice_effect* effect);
 
 // ---- What a frame is drawn from -----------------------------------------------------------------
@@ -271,8 +266,7 @@ CREVICE_API crevice_error* crevice_effect_set_views(crevice_effect* effect,
 /// Before the first frame after a cut: histories are cleared.
 CREVICE_API crevice_error* crevice_effect_cut(crevice_effect* effect);
 
-/// Before the first frame after the origin of the world moved: what was at p is at p - shift now.
-/// Three doubles, in scene units.
+/// Before the first frame after the world's origin moved by `shift`, three doubles in scene units.
 CREVICE_API crevice_error* crevice_effect_shift_origin(crevice_effect* effect, const double* shift);
 
 /// The clip control (glClipControl) that the projection is made for and your textures were drawn
@@ -325,14 +319,12 @@ CREVICE_API crevice_error* crevice_effect_set_texture(crevice_effect* effect, co
 /// The same for one view, from 0. Views without a texture of their own take that of view 0, which
 /// every view needs, and whose format is that of all.
 ///
-/// Errors: those of crevice_effect_set_texture; CV6011 for a view that there is not, and for
-/// another format.
+/// Errors: those of crevice_effect_set_texture; CV6011 for no such view, and for another format.
 CREVICE_API crevice_error* crevice_effect_set_view_texture(crevice_effect* effect, int view,
                                                            const char* import,
                                                            const crevice_texture* texture);
 
-/// Sets a param: as many floats as it has components. Costs nothing for most; a warning CV5010 says
-/// where shaders were compiled.
+/// Sets a param: as many floats as it has components. A warning CV5010 says where shaders compiled.
 ///
 /// Errors: CV4004 for an unknown name, CV4001 for a value out of range, CV4003, CV3006.
 CREVICE_API crevice_error* crevice_effect_set_param(crevice_effect* effect, const char* name,
@@ -401,8 +393,7 @@ typedef enum crevice_index_type {
     CREVICE_UINT8
 } crevice_index_type;
 
-/// Where an attribute lies in a buffer of yours. It is a part of crevice_host_mesh, and stays as it
-/// is.
+/// Where an attribute lies in a buffer of yours. A part of crevice_host_mesh, it never changes.
 typedef struct crevice_attribute {
     uint32_t buffer;           ///< The GLuint; 0 where the mesh has none.
     crevice_vertex_type type;  ///< Of each component.
@@ -453,8 +444,7 @@ typedef struct crevice_draw_call {
 typedef void (*crevice_draw_callback)(const crevice_draw_call* call, void* user);
 
 /// A matrix by its name in GLSL: "clip_from_model", "view_from_model" and those of the camera have
-/// 16 floats by columns, "view_normal_from_model" has 9. Null for a name that is none, and for
-/// null. It lives as long as the call.
+/// 16 floats by columns, "view_normal_from_model" has 9; or null. It lives as long as the call.
 CREVICE_API const float* crevice_draw_call_matrix(const crevice_draw_call* call, const char* name);
 
 /// A mesh, or what a callback draws, at a place.
@@ -516,8 +506,7 @@ typedef struct crevice_material {
 } crevice_material;
 
 /// All materials, instead of those of before. Null and 0 leave one: white and opaque, which is the
-/// default. Maps must live as long as they are drawn with, and cost nothing where they are as
-/// before.
+/// default. Maps must live as long as they are drawn with, and cost nothing while they stay.
 ///
 /// Errors: CV6011, with the reason, for a map that is not what it is said to be, or has several
 /// samples; CV6014, CV6017, CV6004.
@@ -543,11 +532,9 @@ typedef struct crevice_light {
     float outer_angle_rad;  ///< ... and where it ends, [inner, pi]; 0 is 0.8.
 } crevice_light;
 
-/// All lights, instead of those of before; at most 16, and a warning names those past them.
-/// Default: none.
+/// All lights, instead of those of before: 16 at most, else a warning. Default: none.
 ///
-/// Errors: CV6011 for an unknown kind. crevice_effect_render leaves out lights that are not finite,
-/// with a warning CV6011.
+/// Errors: CV6011 for an unknown kind; a warning when rendered for lights that are not finite.
 CREVICE_API crevice_error* crevice_effect_set_lights(crevice_effect* effect,
                                                      const crevice_light* lights, int count);
 
@@ -595,8 +582,7 @@ typedef struct crevice_target {
     int width, height;     ///< Of the rectangle, in pixels, above 0.
     int view;              ///< Whose output it is, from 0.
 
-    /// Multiplies what is there instead, each channel by that of the output, and leaves its alpha:
-    /// AO darkens a finished picture so.
+    /// Multiplies what is there instead, channel by channel but for alpha: AO darkens pictures so.
     bool multiply;
 } crevice_target;
 
