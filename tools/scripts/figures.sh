@@ -5,6 +5,7 @@
 #
 #   tools/scripts/figures.sh methods [FOLDER...]  error and cost of each config: half an hour on a quiet machine, or
 #                                                 what `crevice bench` left there at 480x270 and radius 1
+#   tools/scripts/figures.sh unseen               error on twenty scenes that presets are not tuned on: five minutes
 #   tools/scripts/figures.sh stress [FOLDER]      where AO breaks: ten minutes; FOLDER keeps what is drawn
 #   tools/scripts/figures.sh authors              the variant `sound` and other seeds of ports: two minutes
 #   tools/scripts/figures.sh precision            half floats against 32 bits: a minute
@@ -16,7 +17,7 @@
 # CREVICE may name a built command; otherwise the release preset is built.
 set -euo pipefail
 case "$*" in
-    methods | stress | authors | precision | cost | "cost --check") ;;
+    methods | unseen | stress | authors | precision | cost | "cost --check") ;;
     "methods "[!-]* | "stress "[!-]*) ;;
     *) sed -n 's/^#   //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
 esac
@@ -101,6 +102,22 @@ methods() {
             print row, "cost", ratio($column["ratio_learnopengl"])
             print row, "with geometry", ratio($column["ratio_with_geometry"])
         }' "$work/report.csv" | fill methods
+}
+
+unseen() {
+    local seed made
+    mapfile -t configs < <(configs_of unseen | grep -vx reference)
+    for seed in {100..119}; do
+        made=$(python3 tests/unseen/scenes.py "$seed" "$work")
+        quietly "$CREVICE" bench --scene "$(sed 's/.*"split": "\([^"]*\)".*/\1/' <<<"$made")" --size 480x270 --repeats 1 \
+            --radius "$(sed 's/.*"radius": \([^}]*\)}/\1/' <<<"$made")" "${configs[@]/#/--config=}" --out "$work/unseen"
+    done
+    quietly "$CREVICE" report "$work/unseen" --out "$work/report.html" --no-pictures
+    awk -F, -v OFS='\t' '
+        NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+        { sum[$1] += $column["rmse"]; ++count[$1] }
+        END { for (config in sum) print "`" config "`", "unseen", sprintf("%.3f", sum[config] / count[config]) }
+        ' "$work/report.csv" | fill unseen
 }
 
 stress() {

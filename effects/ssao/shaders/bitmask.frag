@@ -1,6 +1,6 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// Ambient occlusion from bit masks over slices through the hemisphere: each side of a slice has 31
+// Ambient occlusion from bit masks over slices through the hemisphere: each side of a side has 31
 // sectors of equal light, and each tap blocks the sectors between its front and its back, so that light
 // passes behind thin objects.
 //
@@ -37,11 +37,11 @@ layout(location = 0) out float ao;
 
 // What a side's last tap has seen.
 struct Trail {
-    mediump vec3 offset;   // of its front from the point
+    mediump vec2 at;
     mediump float sector;  // 0..kSectors, of where its front ends within the radius
     mediump float deep;    // from front to back
     mediump float step;    // in depth, from the front of the tap before
-    mediump float gone_on; // height over the surface where it leaves the radius, if it goes on as it came
+    mediump vec2 way;      // from there, 0 where what lies between is more open than filled
 };
 
 // Of a side. One less than an int has bits, so that the bit beyond the last is one too.
@@ -74,78 +74,51 @@ const mediump float kGap = 5.0;
 const mediump float kGap = 1.0;
 #endif
 
-// A ray of the view through what a tap sees.
-struct Ray {
-    mediump vec3 away;         // unit, from the camera
-    mediump float rise;        // per length, over the surface
-    mediump float towards;     // per length, to the camera
-};
-
 // How much of what lies between two neighbouring taps is filled: half of a gap in depth as large as the nearer of them
-// is deep, times `max_gap` and the spacing of the taps, or as the radius. `step` is towards the camera.
+// is deep, times `max_gap` and the spacing of the taps, or as the radius. `step_here` is towards the camera.
 mediump float filledBetween(Trail trail, mediump float step_here, mediump float deep)
 {
-    mediump float share = kGap * max_gap / float(STEPS);
     mediump float uneven = unevenStep(step_here, trail.step);
-    mediump float behind = (-uneven - trail.deep) / max(min(share * trail.deep, 1.0), 1e-3);
-    mediump float before = (uneven - deep) / max(min(share * deep, 1.0), 1e-3);
-    return dot(trail.offset, trail.offset) < 1.0 ? filledShare(max(max(behind, before), 0.0)) : 0.0;
+    mediump float nearer = uneven > 0.0 ? deep : trail.deep;
+    mediump float gap = max(abs(uneven) - nearer, 0.0);
+    mediump float filled = clamp(kGap / float(STEPS) * max_gap * nearer, 1e-2, 1.0);
+    return filled * filled / (filled * filled + gap * gap);
 }
 
-// The sector at a height over the surface; `inverse` is one over the distance, `towards` the distance to the camera.
-mediump float sectorOf(Side side, mediump float height, mediump float towards, mediump float inverse)
+mediump float sectorOf(Side side, mediump vec2 at)
 {
-    mediump float lift = liftOf(height * inverse / side.projected_length, towards * inverse, side.cos_n, side.sin_n);
-    mediump float light = max(lightBelow(lift, side.cos_n, side.sin_n) - side.below, 0.0);
-    return min(kSectors * light / side.whole, kSectors);
+    return clamp(kSectors / side.whole * (lightUnder(side, at) - side.below), 0.0, kSectors);
 }
 
-// The sectors blocked by something whose front is at `offset` and which is `deep` along its ray,
-// as far as it lies within the radius; and by the surface that joins it to the tap before, without which
-// few taps would miss most of what blocks.
-uint blockedBy(March march, Side side, mediump vec3 offset, Ray ray, mediump float deep, inout Trail trail)
+// The sectors blocked by something whose front is `at` and which is `deep` along its ray `away`, as far as it lies
+// within the radius; and by the surface that joins it to the tap before, without which few taps would miss most of what
+// blocks.
+uint blockedBy(Side side, mediump vec2 at, mediump vec2 away, mediump float deep, inout Trail trail)
 {
-    mediump float square = dot(offset, offset);
-    mediump vec3 way = offset - trail.offset;
-    mediump float height = dot(offset, march.normal);
-    mediump float rise = dot(way, march.normal);
-    mediump float step_here = dot(way, march.to_camera);
-    mediump float filled = filledBetween(trail, step_here, deep);
+    mediump float square = dot(at, at);
+    mediump float near = dot(trail.at, trail.at);
+    mediump vec2 way = at - trail.at;
+    mediump float step_here = dot(way, side.towards);
+    mediump float filled = near < 1.0 ? filledBetween(trail, step_here, deep) : 0.0;
 
-    // The ray is within the radius from -along - root to root - along: |offset + s away| = 1, solved for s.
-    mediump float along = dot(offset, ray.away);
+    // The ray is within the radius from -along - root to root - along: |at + s away| = 1, solved for s.
+    mediump float along = dot(at, away);
     mediump float within = along * along + 1.0 - square;
     mediump float root = sqrt(max(within, 0.0));
     mediump float first = max(-along - root, 0.0);
     mediump float last = min(deep, root - along);
-    bool inside = square < 1.0;
     bool meets = within > 0.0 && first <= last;
-    // Of a front beyond the radius, where what joins it leaves the radius.
-    mediump float a = max(dot(way, way), 1e-4);
-    mediump float b = dot(trail.offset, way);
-    mediump float leaves = (sqrt(max(b * b - a * (dot(trail.offset, trail.offset) - 1.0), 0.0)) - b) / a;
-    mediump float towards = dot(offset, march.to_camera);
-    mediump float goes_on = filled > 0.5 ? max(leaves - 1.0, 0.0) : 0.0;
-    leaves = clamp(leaves, 0.0, 1.0);
-    mediump float begin = height + first * ray.rise;
-    mediump float begin_towards = towards + first * ray.towards;
-    if (!inside && filled > 0.0) {
-        begin = height + (leaves - 1.0) * rise;
-        begin_towards = towards + (leaves - 1.0) * step_here;
-    }
+    mediump vec2 begin = at + first * away;
+    if (square >= 1.0 && filled > 0.0) begin = trail.at + min(leaving(trail.at, way), 1.0) * way;
     uint blocked = 0u;
     mediump float sector = 0.0;
     if (meets || filled > 0.0) {
-        sector = sectorOf(side, begin, begin_towards, inside ? inversesqrt(max(square, 1e-5)) : 1.0);
+        sector = sectorOf(side, begin);
         mediump float part = 0.5 * filled * (trail.sector - sector);  // from either end
         blocked = maskOf(sector, sector + part) | maskOf(trail.sector - part, trail.sector);
     }
-    if (meets) {
-        mediump float end = square + last * (2.0 * along + last);
-        blocked |= maskOf(sector, sectorOf(side, height + last * ray.rise, towards + last * ray.towards,
-                                           inversesqrt(max(end, 1e-5))));
-    }
-    trail = Trail(offset, sector, deep, step_here, height + goes_on * rise);
+    if (meets) blocked |= maskOf(sector, sectorOf(side, at + last * away));
+    trail = Trail(at, sector, deep, step_here, filled > 0.5 ? way : vec2(0.0));
     return blocked;
 }
 
@@ -157,23 +130,21 @@ mediump float lengthOf(mediump float stored)
 #endif
 
 // What has been seen where nothing is near.
-const Trail kNothing = Trail(vec3(2.0), 0.0, 0.0, 0.0, 0.0);
+const Trail kNothing = Trail(vec2(2.0), 0.0, 0.0, 0.0, vec2(0.0));
 
 // The sectors blocked by the first things that taps see, or with `second` by those behind them: one march each, for both
 // at once take more registers than phones have.
-uint blockedOn(March march, inout Side side, bool second)
+uint blockedOn(March march, Side side, bool second)
 {
     uint blocked = 0u;
+    highp vec2 place = side.first;
     Trail trail = kNothing;
-    if (!second) trail = Trail(vec3(0.0), 0.0, thickness, 0.0, 0.0);
+    if (!second) trail = Trail(vec2(0.0), 0.0, thickness, 0.0, vec2(0.0));
     for (int i = 0; i < STEPS; ++i) {
-        highp vec2 texel = texelOf(march, side.first);
-        mediump vec3 offset = offsetAt(march, texel);
-        side.first += side.step;
-        Ray ray;
-        ray.away = awayAt(texel + 0.5);
-        ray.rise = dot(ray.away, march.normal);
-        ray.towards = dot(ray.away, march.to_camera);
+        highp vec2 texel = texelOf(march, place);
+        place += side.step;
+        mediump vec2 at = withinSlice(side, offsetAt(march, texel));
+        mediump vec2 away = normalize(at * march.nearness - side.towards);
         mediump float deep = thickness;
 #if BACK_FACES
         mediump vec3 layers = texelFetch(source_layers, ivec2(texel) + march.band, 0).xyz;
@@ -181,22 +152,13 @@ uint blockedOn(March march, inout Side side, bool second)
         if (stored < 1.0) deep = lengthOf(stored);
 #endif
 #if SECOND_LAYER
-        if (second) offset += ray.away * min(lengthOf(layers.y), 40.0);
+        if (second) at += away * min(lengthOf(layers.y), 40.0);
 #endif
-        blocked |= blockedBy(march, side, offset, ray, deep, trail);
+        blocked |= blockedBy(side, at, away, deep, trail);
     }
-    side.first -= float(STEPS) * side.step;
-    // Off the screen the surface last seen goes on until it leaves the radius, on the side of the normal on which it is.
-    // The light below is that of lightBelow to within 5 %: a third sectorOf takes more registers than phones have.
-    mediump float near = dot(trail.offset, trail.offset);
-    if (side.cut && !second && near < 1.0) {
-        mediump float up = clamp(trail.gone_on / side.projected_length, 0.0, 1.0);
-        mediump float square = up * up;
-        mediump float across = square * up * (0.667 + square * (0.2 + 0.704 * square * square * square));
-        if (side.sin_n > 0.0 && dot(trail.offset, march.to_camera) > side.cos_n * sqrt(near)) across = kPi - across;
-        mediump float light = 0.5 * (side.cos_n * square + side.sin_n * across) - side.below;
-        blocked |= maskOf(clamp(kSectors * light / side.whole, 0.0, kSectors), trail.sector);
-    }
+    // Off the screen the surface last seen goes on until it leaves the radius.
+    if (side.cut && !second && dot(trail.at, trail.at) < 1.0)
+        blocked |= maskOf(sectorOf(side, trail.at + leaving(trail.at, trail.way) * trail.way), trail.sector);
     return blocked;
 }
 
@@ -210,9 +172,9 @@ void main()
     mediump float whole = 0.0;
     for (int i = 0; i < sides; ++i) {
         Side side = sideOf(march, i);
-        mediump float light = side.projected_length * side.whole;
         uint mask = 0u;
         for (int layer = 0; layer < layers; ++layer) mask |= blockedOn(march, side, layer > 0);
+        mediump float light = side.projected_length * side.whole;
         blocked += light * countOf(mask) / kSectors;
         whole += light;
     }

@@ -24,45 +24,55 @@ layout(location = 0) out float ao;
 layout(location = 1) out vec4 bent_normal;
 #endif
 
-// Lift of the horizon of one side. [Jimenez et al. 2016: lines 17 to 26 of algorithm 1]
+// Cosine of the angle from the plane up to the horizon of one side. [Jimenez et al. 2016: lines 17 to 26 of algorithm 1]
 mediump float horizonOf(March march, Side side, int steps)
 {
-    mediump float horizon = side.ground;
-    mediump vec3 before = vec3(0.0);  // what the tap before saw
+    mediump float horizon = 1.0;
+    mediump vec2 before = vec2(0.0);  // what the tap before saw
+    mediump vec2 way = vec2(0.0);     // from there
     mediump float near = 0.0;         // its distance, squared
     mediump float step_before = 0.0;
-    mediump float gone_on = 0.0;
+    mediump float filled = 1.0;
     mediump float per_gap = float(STEPS) / max_gap;
-    mediump float per_height = 1.0 / side.projected_length;
-    highp vec2 at = side.first;
+    highp vec2 place = side.first;
     for (int i = 0; i < steps; ++i) {
-        mediump vec3 offset = offsetAt(march, texelOf(march, at));
-        at += side.step;
-        mediump float far = dot(offset, offset);
-        mediump vec3 way = offset - before;
-        mediump float height = dot(offset, march.normal);
-        mediump float rise = dot(way, march.normal);
-        mediump float step_here = dot(way, march.to_camera);
-        mediump float filled = filledShare(unevenStep(step_here, step_before) * per_gap);
-        // Of a surface that goes on beyond the radius, where it leaves it: t of |before + t way| = 1.
-        mediump float a = max(dot(way, way), 1e-4);
-        mediump float b = dot(before, way);
-        mediump float leaves = (sqrt(max(b * b - a * (near - 1.0), 0.0)) - b) / a;
+        mediump vec2 at = withinSlice(side, offsetAt(march, texelOf(march, place)));
+        place += side.step;
+        way = at - before;
+        mediump float step_here = dot(way, side.towards);
+        filled = filledShare(unevenStep(step_here, step_before) * per_gap);
+        mediump float far = dot(at, at);
         bool inside = far < 1.0;
-        mediump float inverse = inversesqrt(max(far, 1e-5));
-        mediump float up = inside ? height * inverse : height + rise * clamp(leaves - 1.0, -1.0, 0.0);
-        up = liftOf(up * per_height, dot(offset, march.to_camera) * inverse, side.cos_n, side.sin_n);
-        mediump float higher = max(up - horizon, 0.0);
-        horizon += inside ? higher : near < 1.0 ? filled * higher : 0.0;
-        gone_on = height + (filled < 0.5 ? 0.0 : rise * max(leaves - 1.0, 0.0));
-        before = offset;
+        // Of a surface that goes on beyond the radius, where it leaves it.
+        mediump vec2 seen = inside ? at * inversesqrt(max(far, 1e-5)) : before + min(leaving(before, way), 1.0) * way;
+        mediump float lower = isOver(side, seen) ? max(horizon - seen.x, 0.0) : 0.0;
+        horizon -= inside ? lower : near < 1.0 ? filled * filled * lower : 0.0;
+        before = at;
         near = far;
         step_before = step_here;
     }
     // Off the screen the surface last seen goes on until it leaves the radius.
-    if (side.cut && near < 1.0) horizon = max(horizon, min(gone_on * per_height, 1.0));
+    if (side.cut && near < 1.0 && filled >= 0.5 && before.y > 0.0) {
+        mediump vec2 end = before + leaving(before, way) * way;
+        if (isOver(side, end)) horizon = min(horizon, end.x);
+    }
     return horizon;
 }
+
+#ifdef BENT_NORMALS
+// The light's direction from the camera down to a horizon, cosine and sine over the normal's level; not normalised:
+// towards the camera, and along the side. The paper's algorithm 2, one side of it, here as powers of sine and cosine of
+// the angle from the camera.
+mediump vec2 openDirection(Side side, mediump vec2 horizon)
+{
+    mediump float c = side.cos_n * horizon.y - side.sin_n * horizon.x;
+    mediump float s = sqrt(max(1.0 - c * c, 0.0));
+    mediump float c3 = c * c * c;
+    mediump float s3 = s * s * s;
+    return vec2(side.cos_n * (1.0 - c3) + side.sin_n * s3,
+                side.cos_n * s3 + side.sin_n * (2.0 - 3.0 * c + c3)) / 3.0;
+}
+#endif
 
 void main()
 {
@@ -78,11 +88,14 @@ void main()
 #endif
     for (int i = 0; i < sides; ++i) {
         Side side = sideOf(march, i);
-        mediump float horizon = horizonOf(march, side, steps);
-        blocked += side.projected_length * (lightBelow(horizon, side.cos_n, side.sin_n) - side.below);
+        mediump float level = horizonOf(march, side, steps);
+        mediump vec2 horizon = overLevel(side, vec2(level, sqrt(max(1.0 - level * level, 0.0))));
+        if (horizon.y < 0.0) horizon = vec2(1.0, 0.0);
+        mediump float below = lightUpTo(side.cos_n, side.sin_n, horizon.x);
+        blocked += side.projected_length * clamp(below - side.below, 0.0, side.whole);
         whole += side.projected_length * side.whole;
 #ifdef BENT_NORMALS
-        mediump vec2 direction = openDirection(horizon, side.cos_n, side.sin_n);
+        mediump vec2 direction = openDirection(side, horizon);
         bent += side.projected_length * (march.to_camera * direction.x + side.along * direction.y);
 #endif
     }

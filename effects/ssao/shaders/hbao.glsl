@@ -13,6 +13,7 @@
 
 #undef SHADING_NORMALS
 #define SHADING_NORMALS 0  // the authors have one normal
+#include "ssao/shaders/lift.glsl"
 #include "ssao/shaders/march.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 
@@ -32,7 +33,7 @@ mediump float weightOf(March march, mediump vec3 offset)
 }
 
 // The light of a side between its surface and a lift.
-mediump float lightUpTo(Side side, mediump float lift)
+mediump float lightUpToLift(Side side, mediump float lift)
 {
 #if LIGHT == LIGHT_COSINE
     return lightBelow(lift, side.cos_n, side.sin_n);
@@ -48,7 +49,7 @@ mediump float lightUpTo(March march, Side side, mediump vec3 offset)
 {
     mediump float inverse = inversesqrt(max(dot(offset, offset), 1e-5));
     mediump float height = dot(offset, march.normal) * inverse / side.projected_length;
-    return lightUpTo(side, liftOf(height, dot(offset, march.to_camera) * inverse, side.cos_n, side.sin_n));
+    return lightUpToLift(side, liftOf(height, dot(offset, march.to_camera) * inverse, side.cos_n, side.sin_n));
 }
 
 // The blocked light of one side. Off the screen the surface last seen goes on until it leaves the radius, with the mean
@@ -56,7 +57,7 @@ mediump float lightUpTo(March march, Side side, mediump vec3 offset)
 mediump float blockedOn(March march, Side side, mediump float least_lift, int steps)
 {
     // The light below the horizon: at first that below the bias, of a side that ends before, all.
-    mediump float below = lightUpTo(side, side.sin_n > 0.0 ? least_lift : min(least_lift, side.cos_n));
+    mediump float below = lightUpToLift(side, side.sin_n > 0.0 ? least_lift : min(least_lift, side.cos_n));
     mediump float blocked = 0.0;
     mediump float weight = 0.0;
     mediump vec3 before = vec3(0.0);
@@ -98,7 +99,7 @@ mediump float visibilityAt(highp vec2 pixel)
         Side side = sideOf(march, i);
 #if LIGHT == LIGHT_COSINE
         blocked += side.projected_length * blockedOn(march, side, least_lift, steps);
-        whole += side.projected_length * side.whole;
+        whole += side.projected_length * lightUpToLift(side, side.sin_n > 0.0 ? 2.0 - side.cos_n : side.cos_n);
 #else
         blocked += blockedOn(march, side, least_lift, steps);
         whole += 1.0;  // of every two sides 2

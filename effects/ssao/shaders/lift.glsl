@@ -32,16 +32,3 @@ mediump float lightBelow(mediump float lift, mediump float cos_n, mediump float 
     mediump float across = liftIntegral(u);
     return 0.5 * (cos_n * u * u + sin_n * (lift > 1.0 ? 3.1415927 - across : across));
 }
-
-// The light's direction from the camera down to a lift, not normalised: towards the camera, and along the side. The
-// paper's algorithm 2, one side of it, here as powers of sine and cosine of the angle from the camera.
-mediump vec2 openDirection(mediump float lift, mediump float cos_n, mediump float sin_n)
-{
-    mediump float u = min(lift, 2.0 - lift);
-    mediump float level = sqrt(max(1.0 - u * u, 0.0));
-    mediump float c = cos_n * u + sin_n * (lift > 1.0 ? level : -level);
-    mediump float s = sqrt(max(1.0 - c * c, 0.0));
-    mediump float c3 = c * c * c;
-    mediump float s3 = s * s * s;
-    return vec2(cos_n * (1.0 - c3) + sin_n * s3, cos_n * s3 + sin_n * (2.0 - 3.0 * c + c3)) / 3.0;
-}

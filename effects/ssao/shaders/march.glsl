@@ -8,13 +8,11 @@
 // Taps lie on a straight line of texels, which a slice through the view ray is on the screen. Lengths of what a tap
 // sees are in radii. What lives from tap to tap is a few numbers: a phone's core has 32 registers for full speed.
 
-#include "common/angles.glsl"
 #include "common/depth_share.glsl"
 #include "common/host_picture.glsl"
 #include "common/pixel_noise.glsl"
 #include "common/pixel_ray.glsl"
 #include "common/tolerance.glsl"
-#include "ssao/shaders/lift.glsl"
 #include "ssao/shaders/shading_normals.glsl"
 
 uniform highp sampler2D source_depth;
@@ -45,6 +43,7 @@ struct March {
     mediump vec3 normal;     // weighs light
     mediump vec3 plane;      // normal of the surface's plane
     mediump vec3 to_camera;  // unit
+    mediump float nearness;  // one over the camera's distance
     mediump vec2 noise;      // 0..1: turns the slices, shifts the taps
 };
 
@@ -100,8 +99,10 @@ bool marchFrom(highp vec2 pixel, out March march)
     highp vec3 point = pointOn(march, pixel, z / march.radius);
 #if CAMERA_ORTHOGRAPHIC
     march.to_camera = vec3(0.0, 0.0, 1.0);
+    march.nearness = 0.0;
 #else
     march.to_camera = -normalize(point);
+    march.nearness = inversesqrt(dot(point, point));
 #endif
     // Of a radius wider than the screen the screen's share.
     highp float lift = bias * wider / max(screens, 1.0);
@@ -118,19 +119,60 @@ bool marchFrom(highp vec2 pixel, out March march)
     return stored > 0.0;
 }
 
-// One side of a slice through the hemisphere.
+// One side of a slice through the hemisphere. Within the slice lengths have x along the surface's plane, y over it.
 struct Side {
     mediump vec3 along;   // unit, perpendicular to the direction to the camera
+    mediump vec3 x;       // axes of what lies within the slice; y of whatever lies in the plane is 0
+    mediump vec3 y;
+    mediump vec2 towards; // the camera, within the slice
+    mediump vec2 lean;    // cosine and sine of the angle from the level that the normal has up to the plane
     mediump float cos_n;  // cosine of the angle between the view ray and the normal's projection onto the slice
     mediump float sin_n;  // its sine, positive where the normal leans towards this side
     mediump float projected_length;  // of the unit normal, projected onto the slice
-    mediump float ground; // lift of the surface's plane over the level that the normal has: 0 where it lies below
-    mediump float below;  // the light below that
+    mediump float below;  // the light below the plane
     mediump float whole;  // the light of all of it, over the plane
     highp vec2 step;     // from tap to tap, in pixels
     highp vec2 first;    // where the first lies
     bool cut;            // the screen or its guard band ends before the radius does
 };
+
+// From over the plane to over the normal's level.
+mediump vec2 overLevel(Side side, mediump vec2 at)
+{
+#if SHADING_NORMALS
+    return vec2(at.x * side.lean.x - at.y * side.lean.y, at.y * side.lean.x + at.x * side.lean.y);
+#else
+    return at;
+#endif
+}
+
+// The light from the normal's level up to where the cosine of the angle over it is `c`: of the angle less its sine times
+// its cosine a polynomial that is right at both ends, and to within 0.005 between. Ours.
+mediump float lightUpTo(mediump float cos_n, mediump float sin_n, mediump float c)
+{
+    mediump float square = c * c;
+    mediump float across = 1.5707963 - c * (1.9707963 - square * (0.1835754 + square * 0.2164246));
+    return 0.5 * (cos_n * (1.0 - square) + sin_n * across);
+}
+
+// Of a direction: over the plane, and on this side of the camera, beyond which only texels beside the line are.
+bool isOver(Side side, mediump vec2 to) { return to.y > 0.0 && to.x >= min(side.towards.x, 0.0); }
+
+// The light below what stands `at`; below what lies under the plane as much as below that.
+mediump float lightUnder(Side side, mediump vec2 at)
+{
+    at *= inversesqrt(max(dot(at, at), 1e-5));
+    mediump vec2 over = isOver(side, at) ? overLevel(side, at) : side.lean;
+    return lightUpTo(side.cos_n, side.sin_n, over.y > 0.0 ? over.x : 1.0);
+}
+
+// How many `way`s from `at`, within the radius, one leaves it: t of |at + t way| = 1. 0 or more.
+mediump float leaving(mediump vec2 at, mediump vec2 way)
+{
+    mediump float a = max(dot(way, way), 1e-4);
+    mediump float b = dot(at, way);
+    return max((sqrt(max(b * b - a * (dot(at, at) - 1.0), 0.0)) - b) / a, 0.0);
+}
 
 // Slices lie evenly over half a turn about the view ray, not on the screen: towards the edge of a wide view
 // the two differ by a third. Taps lie evenly from the pixel to somewhat beyond the radius, so that the surface is seen
@@ -152,21 +194,21 @@ Side sideOf(March march, int i)
     side.cos_n = projected.x * inverse_length;
     side.sin_n = projected.y * inverse_length;
     side.projected_length = 1.0 / inverse_length;
-    mediump float n = 0.5 * kPi - angleOf(side.sin_n);
-    side.whole = 0.5 * (side.cos_n + (0.5 * kPi + n) * side.sin_n);
-    side.ground = 0.0;
-    side.below = 0.0;
+    side.lean = vec2(1.0, 0.0);
+    side.towards = vec2(-side.sin_n, side.cos_n);
+    side.y = march.plane * inverse_length;
 #if SHADING_NORMALS
-    // Along the plane: its components towards the camera and along the side, with the normal's cosine and sine.
     mediump vec2 plane = vec2(dot(march.plane, march.to_camera), dot(march.plane, along));
-    plane *= inversesqrt(max(dot(plane, plane), 1e-3));
-    mediump float height = side.sin_n * plane.x - side.cos_n * plane.y;
-    if (height > 0.0) {
-        side.ground = liftOf(height, -plane.y, side.cos_n, side.sin_n);
-        side.below = lightBelow(side.ground, side.cos_n, side.sin_n);
-        side.whole = max(side.whole - side.below, 1e-2);
-    }
+    mediump float inverse_plane = inversesqrt(max(dot(plane, plane), 1e-3));
+    plane *= inverse_plane;
+    side.lean = vec2(dot(projected, plane), projected.y * plane.x - projected.x * plane.y);
+    side.lean *= inverse_length;
+    side.towards = vec2(-plane.y, plane.x);
+    side.y = march.plane * inverse_plane;
 #endif
+    side.x = side.towards.y * along + side.towards.x * march.to_camera;
+    side.below = side.lean.y > 0.0 ? lightUpTo(side.cos_n, side.sin_n, side.lean.x) : 0.0;
+    side.whole = max(lightUpTo(side.cos_n, side.sin_n, -side.sin_n) - side.below, 1e-2);
     highp vec3 way = seenReach(march.point) * along;
 #if !CAMERA_ORTHOGRAPHIC
     highp vec2 ray = march.point.xy / march.point.z;
@@ -215,14 +257,12 @@ mediump vec3 offsetAt(March march, highp vec2 texel)
     return pointOn(march, texel + 0.5, z) - march.point;
 }
 
-// Away from the camera, through a pixel.
-mediump vec3 awayAt(highp vec2 pixel)
+// Within the slice, turned into it about the normal: texels lie beside the line.
+mediump vec2 withinSlice(Side side, mediump vec3 offset)
 {
-#if CAMERA_ORTHOGRAPHIC
-    return vec3(0.0, 0.0, -1.0);
-#else
-    return -normalize(rayThrough(inView(pixel)));
-#endif
+    mediump float y = clamp(dot(offset, side.y), -kFar, kFar);
+    mediump float x = sqrt(max(dot(offset, offset) - y * y, 0.0));
+    return vec2(dot(offset, side.x) < 0.0 ? -x : x, y);
 }
 
 // How much of the hidden space between two neighbouring taps counts as filled: the wider the gap, the likelier it is
