@@ -4,7 +4,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "core/glsl/lexer.h"
+#include "core/glsl/preprocessor.h"
 #include "core/json/merge.h"
 
 namespace crevice::table {

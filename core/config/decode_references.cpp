@@ -87,6 +87,7 @@ struct Checker {
                       who + " " + names.what + " '" + reference.name + "', which does not exist",
                       makers.empty() ? suggestName(reference.name, names.all, names.listed)
                                      : "add a module that makes it to 'extends': " + makers);
+        if (names.code == Code::feature_missing) error.help += "; or declare it under 'features'";
         error.mistake = names.what + " " + reference.name;
         if (isModule(reference.place)) error.cause = ownPlace(reference.place);
         for (const Named& each : description.deleted) {
@@ -116,9 +117,8 @@ struct Checker {
                 if (each.type == type) others.push_back(each.name);
             report.at(name, Code::reference_missing,
                       takes + " param '" + name.name + "', which has another type",
-                      others.empty()
-                          ? "give '" + name.name + "' the type \"" + word(type) + "\""
-                          : "name one of type " + std::string(word(type)) + ": " + joined(others));
+                      "give '" + name.name + "' the type \"" + word(type) + "\"" +
+                          (others.empty() ? "" : ", or name one that has it: " + joined(others)));
         } else if (!(param->value[0] >= limits.min && param->value[0] <= limits.max)) {
             const Reference value = referenceAt(document, param->pointer + "/default");
             Reported& error = report.at(

@@ -85,6 +85,7 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
     if (!file && !startsWith(missing.help, "did you"))
         missing.help = suggestName(withSuffix(config), names, what);
     if (!file) missing.help += "; the name of a file of your own ends in .json";
+    if (config.find(',') != config.npos) missing.help = "name one config at a time, without ','";
     if (config.find('=') != config.npos) missing.help = "write --set " + config + ": one for each";
     if (!file && sources.find(config + std::string(kSuffix)))
         missing.help =

@@ -4,7 +4,7 @@
 
 #include <crevice/glsl_stage.h>
 
-#include "core/glsl/lexer.h"
+#include "core/glsl/preprocessor.h"
 
 namespace crevice {
 

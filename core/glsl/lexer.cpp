@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Comments, lines and tokens of GLSL; macro expansion and an evaluator for integer expressions.
-#include "core/glsl/lexer.h"
 
 #include "core/base/text.h"
 #include "core/glsl/preprocessor.h"

@@ -3,7 +3,7 @@
 """Scenes from seeds, to tune presets on and to judge them on what nobody has drawn.
 
   scenes.py SEED FOLDER    writes FOLDER/KIND_SEED.glb, a mesh for each object, and
-                           FOLDER/KIND_SEED_merged.glb, all in one mesh; prints JSON: kind, files, radius
+                           FOLDER/KIND_SEED_merged.glb, all in one mesh; prints kind, files, radius
 """
 import json
 import math
@@ -13,19 +13,15 @@ import sys
 
 KINDS = ("room", "courtyard", "hall", "street", "lens", "foliage", "lowpoly", "above")
 
-
 def sub(a, b):
     return tuple(p - q for p, q in zip(a, b))
-
 
 def cross(a, b):
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
-
 def unit(a):
     size = math.sqrt(sum(p * p for p in a))
     return tuple(p / size for p in a) if size > 0 else (0.0, 1.0, 0.0)
-
 
 class Part:
     """Triangles with normals."""
@@ -79,13 +75,11 @@ class Part:
         self.indices = turned
         return self
 
-
 def join(*parts):
     whole = Part()
     for each in parts:
         whole.add(each.points, each.normals, each.triangles())
     return whole
-
 
 def box(x, y, z, centre=(0, 0, 0), sides="xXyYzZ", inside=False):
     """Of those sides: x is the one towards -x. Seen from outside, or from inside."""
@@ -101,7 +95,6 @@ def box(x, y, z, centre=(0, 0, 0), sides="xXyYzZ", inside=False):
         n[axis] = -sign if inside else sign
         part.add(corners, [tuple(n)] * 4, [(0, 1, 2), (0, 2, 3)])
     return part.outward()
-
 
 def tube(path, radius, sides=10):
     """A closed pipe along a path of points."""
@@ -123,7 +116,6 @@ def tube(path, radius, sides=10):
         part.add(ring, [unit(sub(path[end], path[beside]))] * sides, [(0, i, i + 1) for i in range(1, sides - 1)])
     return part.outward()
 
-
 def grid(count, at):
     """An open surface: at(u, v) is its point, u and v in 0..1."""
     part, d = Part(), 1.0 / count
@@ -134,7 +126,6 @@ def grid(count, at):
         if u < 1 - d / 2 and v < 1 - d / 2:
             part.indices += [k, k + count + 1, k + 1, k + 1, k + count + 1, k + count + 2]
     return part.outward()
-
 
 def ball(radius, rings, rough, rng):
     part, waves = Part(), [[rng.uniform(-3, 3) for _ in range(4)] for _ in range(4)]
@@ -150,7 +141,6 @@ def ball(radius, rings, rough, rng):
                 part.indices += [k, k + 1, k + 2 * rings + 1, k + 1, k + 2 * rings + 2, k + 2 * rings + 1]
     return part.outward().smooth()
 
-
 # Things that stand at the origin: lists of parts, each an object.
 
 def table(rng):
@@ -158,14 +148,12 @@ def table(rng):
     legs = [box(leg, h, leg, (i * (w / 2 - leg), h / 2, j * (d / 2 - leg))) for i in (-1, 1) for j in (-1, 1)]
     return [box(w, 0.05, d, (0, h + 0.03, 0)), join(*legs)]
 
-
 def shelf(rng):
     w, h, d = rng.uniform(0.7, 1.3), rng.uniform(1.2, 2.2), 0.32
     boards = [box(w, 0.025, d, (0, h * k / 5 + 0.02, 0)) for k in range(6)]
     books = [box(0.035, rng.uniform(0.12, 0.22), rng.uniform(0.14, 0.24),
                  (-w / 2 + 0.08 + 0.04 * k, h * row / 5 + 0.15, 0)) for row in range(4) for k in range(rng.randint(2, 14))]
     return [join(*boards, *[box(0.025, h, d, (i * w / 2, h / 2, 0)) for i in (-1, 1)]), join(*books)]
-
 
 def crates(rng):
     parts, y = [], 0.0
@@ -175,27 +163,22 @@ def crates(rng):
         y += s + 1e-3
     return parts
 
-
 def rock(rng):
     return [ball(rng.uniform(0.15, 0.8), rng.choice((4, 9)), rng.uniform(0, 0.5), rng)]
-
 
 def ladder(rng):
     h = rng.uniform(1.6, 2.6)
     return [tube([(i * 0.22, 0, 0), (i * 0.22, h, -0.5)], 0.02, 8) for i in (-1, 1)] + [
         tube([(-0.22, t * h, -0.5 * t), (0.22, t * h, -0.5 * t)], 0.014, 8) for t in (0.15, 0.3, 0.45, 0.6, 0.75, 0.9)]
 
-
 def stairs(rng):
     n, w = rng.randint(4, 9), rng.uniform(0.9, 1.8)
     return [join(*[box(w, 0.17 * (k + 1), 0.28, (0, 0.085 * (k + 1), k * 0.28)) for k in range(n)])]
-
 
 def fence(rng):
     length, h = rng.uniform(2, 5), rng.uniform(0.7, 1.2)
     posts = [box(0.05, h, 0.02, (x * 0.16, h / 2, 0)) for x in range(int(length / 0.16))]
     return [join(*posts, *[box(length, 0.06, 0.03, (length / 2, y * h, -0.03)) for y in (0.25, 0.8)])]
-
 
 def house(rng, shell=False):
     """With `shell` walls and roof have no inside, as kits for views from one side are."""
@@ -217,7 +200,6 @@ def house(rng, shell=False):
                 parts += [box(0.9, 0.07, 0.14, (x, y - 0.55, z + out * 0.07)), join(*frame)]
     return parts + [box(1.0, 0.15, 0.8, (0, 0.075, d / 2 + 0.4))]
 
-
 def tree(rng):
     h = rng.uniform(1.8, 3.5)
     crown = Part()
@@ -229,11 +211,9 @@ def tree(rng):
                       c[2] + s * (i * r[2] + j * u[2])) for i, j in ((-1, -1.6), (1, -1.6), (1, 1.6), (-1, 1.6))])
     return [tube([(0, 0, 0), (0, h / 2, 0), (rng.uniform(-.2, .2), h, rng.uniform(-.2, .2))], 0.09, 9), crown]
 
-
 def banner(rng, x, y, z, w, h):
     k, f = rng.uniform(3, 9), rng.uniform(0.03, 0.1)
     return grid(16, lambda u, v: (x + (u - 0.5) * w, y - v * h, z + f * math.sin(k * u * 3 + v)))
-
 
 def terrain(rng, size, height, count=48):
     waves = [(rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(0, 6.3), k + 1) for k in range(7)]
@@ -241,9 +221,7 @@ def terrain(rng, size, height, count=48):
     place = lambda u, v: ((u - .5) * size, ground((u - .5) * size, (v - .5) * size), (v - .5) * size)
     return grid(count, place), ground
 
-
 FURNITURE = (table, shelf, crates, rock, ladder, stairs)
-
 
 def scatter(rng, makers, count, half, ground=lambda x, z: 0.0):
     """Things at random places, none within the circle of another."""
@@ -260,7 +238,6 @@ def scatter(rng, makers, count, half, ground=lambda x, z: 0.0):
         parts += [part.placed((x, ground(x, z), z), turn) for part in things]
     return parts
 
-
 # Scenes: objects, eye, the point looked at, field of view in degrees.
 
 def scene_room(rng):
@@ -271,7 +248,6 @@ def scene_room(rng):
         parts.append(tube([(-w / 2 + 0.1, y, z), (w / 2 - 0.3, y, z), (w / 2 - 0.3, 0.1, z)], r, 12))
     parts.append(banner(rng, 0.3 * w, h * 0.9, -d / 2 + 0.15, 1.0, h * 0.7))
     return parts, (-w / 2 + 0.4, rng.uniform(1.2, h - 0.4), d / 2 - 0.4), (w * 0.15, 0.5, -d * 0.15), rng.uniform(55, 70)
-
 
 def scene_hall(rng):
     w, h, d = rng.uniform(9, 14), rng.uniform(4.5, 7), rng.uniform(12, 20)
@@ -289,7 +265,6 @@ def scene_hall(rng):
     parts += scatter(rng, FURNITURE, 14, (w / 2 - 2, d / 2 - 1))
     return parts, (rng.uniform(-1, 1), rng.uniform(1.6, 3.5), d / 2 - 0.6), (0, 0.8, -d * 0.1), rng.uniform(50, 65)
 
-
 def scene_courtyard(rng):
     parts = [Part().quad((-14, 0, 14), (14, 0, 14), (14, 0, -14), (-14, 0, -14))]
     for k in range(8):
@@ -298,7 +273,6 @@ def scene_courtyard(rng):
         parts += [part.placed(at, turn + math.pi) for part in house(rng, True)]
     parts += scatter(rng, (crates, stairs, rock, table, fence), 9, (4, 4))
     return parts, (rng.uniform(-2, 2), rng.uniform(1.6, 4), 4.8), (0, 0.8, -2), rng.uniform(50, 70)
-
 
 def scene_street(rng):
     surface, ground = terrain(rng, 60, 0.8)
@@ -314,11 +288,9 @@ def scene_street(rng):
     parts += scatter(rng, (rock, rock, fence, crates, stairs), 22, (3.2, 14), ground)
     return parts, (rng.uniform(-1, 1), ground(0, 13) + rng.uniform(1.7, 4), 13.5), (0, 0.8, 2), rng.uniform(50, 65)
 
-
 def scene_lens(rng):
     parts, eye, _, _ = scene_street(rng)
     return parts, (eye[0], eye[1] + 1.5, 27), (rng.uniform(-2, 2), 1.0, -2), 18.0
-
 
 def scene_foliage(rng):
     surface, ground = terrain(rng, 24, 0.35)
@@ -334,7 +306,6 @@ def scene_foliage(rng):
         grass.add([(x - dx, y, z - dz), (x + dx, y, z + dz), tip], [unit((-dz, 0, dx))] * 3, [(0, 1, 2)])
     return parts + [grass.outward()], (rng.uniform(-1, 1), rng.uniform(1.2, 2.4), 7.5), (0, 1.2, 0), rng.uniform(45, 60)
 
-
 def scene_lowpoly(rng):
     """A castle of few, smoothed faces."""
     surface, ground = terrain(rng, 16, 0.5, 14)
@@ -349,11 +320,9 @@ def scene_lowpoly(rng):
     turn = rng.uniform(0, 6.3)
     return parts, (7.5 * math.sin(turn), rng.uniform(3, 5), 7.5 * math.cos(turn)), (0, 0.6, 0), rng.uniform(40, 55)
 
-
 def scene_above(rng):
     parts, _, _, fov = rng.choice((scene_street, scene_courtyard, scene_lowpoly))(rng)
     return parts, (0.01, rng.uniform(12, 20), 0.3), (0, 0, 0), fov
-
 
 def write(path, objects, eye, at, fov):
     data, views, accessors, meshes, nodes = bytearray(), [], [], [], []
@@ -388,7 +357,6 @@ def write(path, objects, eye, at, fov):
         file.write(struct.pack("<IIIII", 0x46546C67, 2, 28 + len(text) + len(data), len(text), 0x4E4F534A))
         file.write(text + struct.pack("<II", len(data), 0x4E4942) + data)
 
-
 def main():
     seed, folder = int(sys.argv[1]), sys.argv[2]
     rng, kind = random.Random(seed), KINDS[seed % len(KINDS)]
@@ -399,8 +367,6 @@ def main():
     split, merged = (f"{folder}/{kind}_{seed}{end}.glb" for end in ("", "_merged"))
     write(split, parts, eye, at, fov)
     write(merged, [join(*parts)], eye, at, fov)
-    print(json.dumps({"kind": kind, "split": split, "merged": merged, "radius": float(f"{radius:.2g}")}))
+    print(kind, split, merged, f"{radius:.2g}")
 
-
-if __name__ == "__main__":
-    main()
+main()

@@ -44,7 +44,9 @@ void nameMisplaced(const CLI::App& app, const std::vector<std::string>& argument
     } else if (left.size() == 1 && left[0][0] != '-') {
         const auto at = std::find(arguments.begin(), arguments.end(), left[0]);
         const bool value = at != arguments.begin() && at[-1] == "--host-depth";
-        if (at != arguments.begin() && crevice::isDigit(at[-1].back()))
+        if (at - arguments.begin() > 1 && at[-2] == "--set")
+            error.help = "write --set " + at[-1] + "=" + left[0] + "; " + error.help;
+        else if (at != arguments.begin() && crevice::isDigit(at[-1].back()))
             error.help = "write the unit behind the number, as one word: " + at[-1] +
                          at->substr(0, 1) + "; " + error.help;
         else if (value || app.get_option_no_throw("--config"))

@@ -105,12 +105,12 @@ methods() {
 }
 
 unseen() {
-    local seed made
+    local seed scene radius
     mapfile -t configs < <(configs_of unseen | grep -vx reference)
     for seed in {100..119}; do
-        made=$(python3 tests/unseen/scenes.py "$seed" "$work")
-        quietly "$CREVICE" bench --scene "$(sed 's/.*"split": "\([^"]*\)".*/\1/' <<<"$made")" --size 480x270 --repeats 1 \
-            --radius "$(sed 's/.*"radius": \([^}]*\)}/\1/' <<<"$made")" "${configs[@]/#/--config=}" --out "$work/unseen"
+        read -r _ scene _ radius < <(python3 tests/unseen/scenes.py "$seed" "$work")
+        quietly "$CREVICE" bench --scene "$scene" --radius "$radius" --size 480x270 --repeats 1 \
+            "${configs[@]/#/--config=}" --out "$work/unseen"
     done
     quietly "$CREVICE" report "$work/unseen" --out "$work/report.html" --no-pictures
     awk -F, -v OFS='\t' '

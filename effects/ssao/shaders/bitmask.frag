@@ -129,17 +129,13 @@ mediump float lengthOf(mediump float stored)
 }
 #endif
 
-// What has been seen where nothing is near.
-const Trail kNothing = Trail(vec2(2.0), 0.0, 0.0, 0.0, vec2(0.0));
-
 // The sectors blocked by the first things that taps see, or with `second` by those behind them: one march each, for both
 // at once take more registers than phones have.
 uint blockedOn(March march, Side side, bool second)
 {
     uint blocked = 0u;
     highp vec2 place = side.first;
-    Trail trail = kNothing;
-    if (!second) trail = Trail(vec2(0.0), 0.0, thickness, 0.0, vec2(0.0));
+    Trail trail = Trail(vec2(second ? 2.0 : 0.0), 0.0, second ? 0.0 : thickness, 0.0, vec2(0.0));  // 2: nothing near
     for (int i = 0; i < STEPS; ++i) {
         highp vec2 texel = texelOf(march, place);
         place += side.step;

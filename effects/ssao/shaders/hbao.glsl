@@ -13,7 +13,7 @@
 
 #undef SHADING_NORMALS
 #define SHADING_NORMALS 0  // the authors have one normal
-#include "ssao/shaders/lift.glsl"
+#include "common/angles.glsl"
 #include "ssao/shaders/march.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 
@@ -32,14 +32,26 @@ mediump float weightOf(March march, mediump vec3 offset)
     return share < 1.0 ? 1.0 - falloff * share : 0.0;
 }
 
-// The light of a side between its surface and a lift.
+// How high over a surface something stands within a slice: a lift is 0 along the surface and 1 along the normal, in
+// between the sine of the angle over the surface; beyond the normal, towards the camera, it goes on to 2 less that sine.
+// From the components of a unit direction along the normal and towards the camera.
+mediump float liftOf(Side side, mediump float height, mediump float towards)
+{
+    mediump float up = clamp(height, 0.0, 1.0);
+    if (side.sin_n > 0.0 && towards > side.cos_n) up = up > side.cos_n ? 2.0 - up : 0.0;
+    return up;
+}
+
+// The light of a side between its surface and a lift. [Jimenez et al. 2016, algorithm 1] - of a cosine-weighted
+// hemisphere
 mediump float lightUpToLift(Side side, mediump float lift)
 {
-#if LIGHT == LIGHT_COSINE
-    return lightBelow(lift, side.cos_n, side.sin_n);
-#else
     mediump float up = min(lift, 2.0 - lift);
     mediump float level = sqrt(max(1.0 - up * up, 0.0));
+#if LIGHT == LIGHT_COSINE
+    mediump float across = 1.5707963 - angleOf(up) - up * level;
+    return 0.5 * (side.cos_n * up * up + side.sin_n * (lift > 1.0 ? 3.1415927 - across : across));
+#else
     return side.cos_n * up + side.sin_n * (lift > 1.0 ? 1.0 + level : 1.0 - level);
 #endif
 }
@@ -49,7 +61,7 @@ mediump float lightUpTo(March march, Side side, mediump vec3 offset)
 {
     mediump float inverse = inversesqrt(max(dot(offset, offset), 1e-5));
     mediump float height = dot(offset, march.normal) * inverse / side.projected_length;
-    return lightUpToLift(side, liftOf(height, dot(offset, march.to_camera) * inverse, side.cos_n, side.sin_n));
+    return lightUpToLift(side, liftOf(side, height, dot(offset, march.to_camera) * inverse));
 }
 
 // The blocked light of one side. Off the screen the surface last seen goes on until it leaves the radius, with the mean

@@ -4,7 +4,7 @@
 #include "tools/measure/cost/counting_device.h"
 
 #include "core/base/text.h"
-#include "core/glsl/lexer.h"
+#include "core/glsl/preprocessor.h"
 
 namespace crevice {
 

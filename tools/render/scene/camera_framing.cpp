@@ -217,9 +217,9 @@ Result<SceneCamera> chooseCamera(const Scene& scene, const Bounds& bounds, const
         names.push_back(camera.name);
     }
     if (text.find('=') != std::string::npos) return parseCamera(text, bounds);
-    return Diagnostic{Code::camera_missing,
-                      "the scene '" + scene.name + "' has no camera '" + text + "'",
-                      suggestName(text, names, "cameras") + "; or write eye=4,2,6;at=0,1,0;fov=50"};
+    return Diagnostic{
+        Code::camera_missing, "the scene '" + scene.name + "' has no camera '" + text + "'",
+        suggestName(text, names, "cameras") + "; or write --camera 'eye=4,2,6;at=0,1,0;fov=50'"};
 }
 
 }  // namespace crevice
