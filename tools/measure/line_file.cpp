@@ -165,7 +165,8 @@ std::string failureText(const Diagnostics& diagnostics)
 {
     const Diagnostic& error = firstError(diagnostics);
     const std::string place = placeName(error.place);
-    return (place.empty() ? "" : place + ": ") + codeName(error.code) + ": " + error.message;
+    return (place.empty() ? "" : place + ": ") + codeName(error.code) + ": " + error.message +
+           (error.help.empty() ? "" : "; " + error.help);
 }
 
 }  // namespace crevice

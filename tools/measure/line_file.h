@@ -58,7 +58,7 @@ Diagnostics readLines(const std::string& path, const LineKind& kind,
 /// The first that is an error; `diagnostics` has one.
 const Diagnostic& firstError(const Diagnostics& diagnostics);
 
-/// "my.frag:12:3: CV5001: the message": the first error, as a line has it.
+/// "my.frag:12:3: CV5001: the message; the help": the first error, as a line has it.
 std::string failureText(const Diagnostics& diagnostics);
 
 }  // namespace crevice

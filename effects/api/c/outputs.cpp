@@ -90,15 +90,22 @@ int countOf(const crevice_effect* effect, const std::vector<T> Description::*lis
     return effect ? static_cast<int>((effect->loaded->description.*list).size()) : 0;
 }
 
-/// Errors: CV6011.
-template <class Struct>
-Status checkPlace(const crevice_effect* effect, int index, int count, const Struct* into,
-                  const char* name)
+/// Gives what `fill` writes for one of `count` entries. Errors: CV6011.
+template <class Struct, class Fill>
+crevice_error* getAt(const crevice_effect* effect, int index, int count, Struct* into,
+                     const char* name, Fill fill)
 {
-    const Status given = firstOf(checkGiven(effect, "the effect"), check(into, name));
-    if (!given || (index >= 0 && index < count)) return given;
-    return Diagnostic{Code::bad_input, "the index " + std::to_string(index) + " is not below " +
-                                           std::to_string(count)};
+    return guarded([&]() -> Status {
+        const Status given = firstOf(checkGiven(effect, "the effect"), check(into, name));
+        if (!given) return given;
+        if (index < 0 || index >= count)
+            return Diagnostic{Code::bad_input, "the index " + std::to_string(index) +
+                                                   " is not below " + std::to_string(count)};
+        Struct own = {};
+        fill(static_cast<std::size_t>(index), own);
+        give(own, into);
+        return given;
+    });
 }
 
 void fill(const ParamDesc& from, crevice_param& to)
@@ -218,18 +225,12 @@ int crevice_effect_param_count(const crevice_effect* effect)
 crevice_error* crevice_effect_get_param(const crevice_effect* effect, int index,
                                         crevice_param* param)
 {
-    return guarded([&] {
-        const Status given =
-            checkPlace(effect, index, crevice_effect_param_count(effect), param, "crevice_param");
-        if (!given) return given;
-        const auto at = static_cast<std::size_t>(index);
-        crevice_param own = {};
-        fill(effect->loaded->description.params[at], own);
-        const std::array<float, 4>& value = rendererOf(*effect).description().params[at].value;
-        std::copy(value.begin(), value.end(), own.value);
-        give(own, param);
-        return given;
-    });
+    return getAt(effect, index, crevice_effect_param_count(effect), param, "crevice_param",
+                 [&](std::size_t at, crevice_param& own) {
+                     fill(effect->loaded->description.params[at], own);
+                     const auto& value = rendererOf(*effect).description().params[at].value;
+                     std::copy(value.begin(), value.end(), own.value);
+                 });
 }
 
 int crevice_effect_feature_count(const crevice_effect* effect)
@@ -240,17 +241,11 @@ int crevice_effect_feature_count(const crevice_effect* effect)
 crevice_error* crevice_effect_get_feature(const crevice_effect* effect, int index,
                                           crevice_feature* feature)
 {
-    return guarded([&] {
-        const Status given = checkPlace(effect, index, crevice_effect_feature_count(effect),
-                                        feature, "crevice_feature");
-        if (!given) return given;
-        const auto at = static_cast<std::size_t>(index);
-        crevice_feature own = {};
-        fill(effect->loaded->description.features[at], effect->loaded->words[at], own);
-        own.word = rendererOf(*effect).description().features[at].value;
-        give(own, feature);
-        return given;
-    });
+    return getAt(effect, index, crevice_effect_feature_count(effect), feature, "crevice_feature",
+                 [&](std::size_t at, crevice_feature& own) {
+                     fill(effect->loaded->description.features[at], effect->loaded->words[at], own);
+                     own.word = rendererOf(*effect).description().features[at].value;
+                 });
 }
 
 int crevice_effect_import_count(const crevice_effect* effect)
@@ -261,21 +256,15 @@ int crevice_effect_import_count(const crevice_effect* effect)
 crevice_error* crevice_effect_get_import(const crevice_effect* effect, int index,
                                          crevice_import* import)
 {
-    return guarded([&] {
-        const Status given = checkPlace(effect, index, crevice_effect_import_count(effect), import,
-                                        "crevice_import");
-        if (!given) return given;
-        static const std::vector<std::string> types = table::spellings(ImportType());
-        const ImportDesc& from =
-            effect->loaded->description.imports[static_cast<std::size_t>(index)];
-        crevice_import own = {};
-        own.name = from.name.c_str();
-        own.type = types[static_cast<std::size_t>(from.type)].c_str();
-        own.format = from.type == ImportType::texture ? from.format.c_str() : "";
-        own.optional = from.optional;
-        give(own, import);
-        return given;
-    });
+    return getAt(effect, index, crevice_effect_import_count(effect), import, "crevice_import",
+                 [&](std::size_t at, crevice_import& own) {
+                     static const auto types = table::spellings(ImportType());
+                     const ImportDesc& from = effect->loaded->description.imports[at];
+                     own.name = from.name.c_str();
+                     own.type = types[static_cast<std::size_t>(from.type)].c_str();
+                     own.format = from.type == ImportType::texture ? from.format.c_str() : "";
+                     own.optional = from.optional;
+                 });
 }
 
 crevice_error* crevice_effect_get_patch(crevice_effect* effect, const char** patch)

@@ -1,6 +1,6 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// Ambient occlusion from bit masks over slices through the hemisphere: each side of a side has 31
+// Ambient occlusion from bit masks over slices through the hemisphere: each side of a slice has 31
 // sectors of equal light, and each tap blocks the sectors between its front and its back, so that light
 // passes behind thin objects.
 //
@@ -82,7 +82,7 @@ mediump float filledBetween(Trail trail, mediump float step_here, mediump float 
     mediump float nearer = uneven > 0.0 ? deep : trail.deep;
     mediump float gap = max(abs(uneven) - nearer, 0.0);
     mediump float filled = clamp(kGap / float(STEPS) * max_gap * nearer, 1e-2, 1.0);
-    return filled * filled / (filled * filled + gap * gap);
+    return filled * filled / (filled * filled + gap * gap);  // filledShare(gap / filled), by one division
 }
 
 mediump float sectorOf(Side side, mediump vec2 at)

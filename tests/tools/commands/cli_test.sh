@@ -36,6 +36,8 @@ expect 2 "long dash" render gtao –size 320x180
 expect 2 "write two hyphens: --size" render gtao —size 320x180
 expect 2 "'4x16' is not a number above 0, without a unit, as in 4,16" bench --config gtao --samples 4x16 --list
 expect 2 "not a number above 0" choose results.jsonl --error nan
+expect 2 'write --set radius=0.8;' render gtao --set radius 0.8
+expect 1 'one config at a time' bench --config gtao,sao
 expect 2 'as one word: 10m' bench --config gtao --time-budget 10 minutes --list
 expect 2 'seconds from 1 to' render gtao --import-time 500ms
 expect 4 'HOME' render gtao --scene plane --out 'ao=~/x.png'
@@ -134,6 +136,7 @@ expect 1 'CV2209' render learnopengl --scene plane --out colour=a.png
 expect 1 'CV1201' render nothing.json
 expect 1 'CV7001' render learnopengl --scene nothing.glb
 expect 1 'CV7004' render learnopengl --scene plane --camera left
+expect 1 "or write --camera 'eye=" render learnopengl --scene plane --camera left
 echo 'no scene' >broken.glb
 expect 1 'CV7002' render learnopengl --scene broken.glb
 printf 'ply\nformat ascii 1.0\nelement vertex 3\n' >cut.ply

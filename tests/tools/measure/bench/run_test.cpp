@@ -154,6 +154,8 @@ TEST_CASE("A failure names the place of its first error and passes over warnings
     CHECK(failureText({warning, error}) == "CV5001: syntax error");
     error.place = {std::make_shared<SourceText>(SourceText{"my.frag", "one\ntwo\n"}), 2, 3, 1};
     CHECK(failureText({warning, error}) == "my.frag:2:3: CV5001: syntax error");
+    error.help = "add ';'";
+    CHECK(failureText({warning, error}) == "my.frag:2:3: CV5001: syntax error; add ';'");
 }
 
 TEST_CASE("Lengths of time are read strictly")
