@@ -68,6 +68,14 @@ std::string printableBut(std::string_view kept, std::string_view text)
     return out;
 }
 
+std::string withCase(std::string_view text, bool (*is_other)(char), int offset)
+{
+    std::string changed(text);
+    for (char& c : changed)
+        if (is_other(c)) c = static_cast<char>(c + offset);
+    return changed;
+}
+
 // What follows the backslash.
 char shortEscape(char c) { return c == '\n' ? 'n' : c == '\r' ? 'r' : c == '\t' ? 't' : c; }
 
@@ -173,6 +181,8 @@ bool endsWith(std::string_view text, std::string_view end)
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
+bool has(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
+
 std::size_t utf8Length(std::string_view text, std::size_t at)
 {
     return characterAt(text, at).length;
@@ -233,21 +243,9 @@ std::string_view lineOf(std::string_view text, int line)
     return text;
 }
 
-std::string upperCase(std::string_view text)
-{
-    std::string upper(text);
-    for (char& c : upper)
-        if (isLower(c)) c = static_cast<char>(c - 'a' + 'A');
-    return upper;
-}
+std::string upperCase(std::string_view text) { return withCase(text, isLower, 'A' - 'a'); }
 
-std::string lowerCase(std::string_view text)
-{
-    std::string lower(text);
-    for (char& c : lower)
-        if (isUpper(c)) c = static_cast<char>(c - 'A' + 'a');
-    return lower;
-}
+std::string lowerCase(std::string_view text) { return withCase(text, isUpper, 'a' - 'A'); }
 
 std::vector<std::string_view> split(std::string_view text, char separator)
 {
@@ -258,6 +256,12 @@ std::vector<std::string_view> split(std::string_view text, char separator)
         begin = end + 1;
     }
     return parts;
+}
+
+std::string_view trimmed(std::string_view text, std::string_view blanks)
+{
+    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+    return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
 bool contains(const std::vector<std::string>& words, std::string_view word)

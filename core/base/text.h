@@ -26,6 +26,7 @@ std::size_t findWord(std::string_view text, std::string_view word, std::size_t b
 
 bool startsWith(std::string_view text, std::string_view start);
 bool endsWith(std::string_view text, std::string_view end);
+bool has(std::string_view text, std::string_view part);
 
 /// Bytes of the UTF-8 character that begins at `at`, 1 to 4; 0 when the bytes there are none
 /// (overlong forms, surrogates and code points above U+10FFFF included). Requires at < text.size().
@@ -48,6 +49,9 @@ std::string lowerCase(std::string_view text);
 
 /// What lies between the separators, from left to right; parts may be empty.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// Without what `blanks` has of its characters at either end.
+std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
 
 bool contains(const std::vector<std::string>& words, std::string_view word);
 

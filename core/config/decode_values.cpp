@@ -89,7 +89,7 @@ std::string wayToNumber(const Node& node, bool whole, const Rule& rule)
 bool isMacroName(std::string_view name)
 {
     return !name.empty() && isWordStart(name.front()) && name.substr(0, 3) != "GL_" &&
-           name.find("__") == std::string_view::npos && allOf(name, isWord);
+           !has(name, "__") && allOf(name, isWord);
 }
 
 // One GLSL line holds it with room to spare, and the shortest limit among drivers is far longer.
@@ -299,8 +299,7 @@ bool isName(std::string_view name)
 {
     const auto allowed = [](char c) { return isLower(c) || isDigit(c) || c == '_'; };
     return !name.empty() && isLower(name.front()) && name.size() <= kMaxNameBytes &&
-           allOf(name, allowed) && name.find("__") == std::string_view::npos &&
-           name.substr(0, 3) != "gl_";
+           allOf(name, allowed) && !has(name, "__") && name.substr(0, 3) != "gl_";
 }
 
 Place lastPlace(const Node& object)

@@ -22,13 +22,6 @@ namespace {
 
 constexpr std::string_view kLineEnds("\n\0", 2);  // a log may hold its own terminator
 
-std::string_view trimmed(std::string_view text, std::string_view what)
-{
-    const std::size_t begin = text.find_first_not_of(what);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(what) - begin + 1);
-}
-
 struct LogLine {
     bool known = false;
     bool continues = false;  ///< Mesa indents what belongs to the message before.
@@ -93,7 +86,7 @@ bool saysNothing(std::string_view line)
     constexpr std::string_view kHeading = " info";
     if (trimmed(line, "- \t").empty()) return true;
     for (const char* empty : {"No code generated", "compilation terminated"})
-        if (line.find(empty) != std::string_view::npos) return true;
+        if (has(line, empty)) return true;
     return line.size() > kHeading.size() && endsWith(line, kHeading);
 }
 

@@ -161,11 +161,6 @@ type name @:|GLSL has no loop over elements|write for (int i = 0; i < 4; ++i)
 } @else|this 'else' follows no 'if'|take out the ';' behind the condition
 )";
 
-bool has(std::string_view text, std::string_view part)
-{
-    return text.find(part) != std::string_view::npos;
-}
-
 bool isValue(const GlslToken& token)
 {
     return token.kind == GlslToken::Kind::identifier || token.kind == GlslToken::Kind::number;

@@ -206,7 +206,7 @@ struct Preprocessor {
             if (token.kind != GlslToken::Kind::identifier || unit.macros.defined(token.text))
                 continue;
             std::string help = suggestName(token.text, unit.macros.names(), "defined");
-            if (help.find("did you mean") == help.npos)
+            if (!has(help, "did you mean"))
                 help = "declare feature '" + lowerCase(token.text) +
                        "', or such a param with bind 'define'";
             if (undefined.emplace(token.text).second)
@@ -256,7 +256,7 @@ struct Preprocessor {
             unit.text.append(std::size_t(line.count), '\n');
             return;
         }
-        if (!endsWith(path, ".glsl") && files.at(path)->text.find("#version") != path.npos)
+        if (!endsWith(path, ".glsl") && has(files.at(path)->text, "#version"))
             fail(Code::preprocessor, "found an #include of a shader, which has a main of its own",
                  include.place, "move what both need into a .glsl file, and include that in both");
         if (opened.size() == kMaxIncludeDepth) {

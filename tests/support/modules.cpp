@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/modules.h"
 
+#include "core/base/text.h"
 #include "tests/support/shipped_subjects.h"
 
 namespace crevice {
@@ -39,11 +40,6 @@ std::string shaderText(const std::string& path)
     return text;
 }
 
-bool holds(const std::string& text, const char* part)
-{
-    return text.find(part) != std::string::npos;
-}
-
 Module describe(const std::string& name, const Node& document)
 {
     Module module;
@@ -61,7 +57,7 @@ Module describe(const std::string& name, const Node& document)
     for (const Member& shader : membersOf(document, "shaders")) {
         const std::string text = shaderText(textAt(shader.value, "fragment"));
         module.reads_normals |=
-            holds(text, "#include <surface>") && !holds(text, "SURFACE_WITHOUT_NORMAL");
+            has(text, "#include <surface>") && !has(text, "SURFACE_WITHOUT_NORMAL");
     }
     return module;
 }
@@ -81,7 +77,7 @@ bool everyPassHasItsShader(const Node& document)
 bool readsSamples(const Node& document)
 {
     for (const Member& shader : membersOf(document, "shaders"))
-        if (holds(shaderText(textAt(shader.value, "fragment")), "sampler2DMS")) return true;
+        if (has(shaderText(textAt(shader.value, "fragment")), "sampler2DMS")) return true;
     return false;
 }
 

@@ -129,7 +129,7 @@ Diagnostics readLines(const std::string& path, const LineKind& kind,
                       const std::function<void(nlohmann::json&&)>& take)
 {
     FileBytes file = readBytes(path, kMaxResultBytes);
-    if (!file.bytes.empty() && file.bytes[0] != '{' && file.bytes.find("\n{") == std::string::npos)
+    if (!file.bytes.empty() && file.bytes[0] != '{' && !has(file.bytes, "\n{"))
         file.failure = "none of its lines begins with '{'";
     if (!file) {
         return {{Code::results_broken,

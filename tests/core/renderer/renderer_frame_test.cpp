@@ -39,11 +39,6 @@ float difference(const glm::mat4& a, const glm::mat4& b)
     return largest;
 }
 
-bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
 void look(Frame& frame)
 {
     frame.camera.view_from_world =
@@ -223,9 +218,9 @@ TEST_CASE("Each draw gets its own values, and a draw of nothing is skipped")
     rig.frame.draws.push_back({{}, 0, 0, glm::mat4(1.0f), 77});
     const std::string log = rig.draw();
     CHECK(occurrences(log, "setUniform base_color ") == 2);
-    CHECK(contains(log, "setUniform base_color 0.5 0.25 0.125 1"));
-    CHECK(contains(log, "draw mesh 'cube' 0..6"));
-    CHECK(contains(log, "draw mesh 'cube' 3..6"));
+    CHECK(has(log, "setUniform base_color 0.5 0.25 0.125 1"));
+    CHECK(has(log, "draw mesh 'cube' 0..6"));
+    CHECK(has(log, "draw mesh 'cube' 3..6"));
     CHECK(occurrences(log, "draw mesh") == 2);
     CHECK(occurrences(log, "setUniform radius") == 1);
     CHECK(rig.device.misuse().empty());
@@ -234,10 +229,10 @@ TEST_CASE("Each draw gets its own values, and a draw of nothing is skipped")
 TEST_CASE("A material without a map is white, one with a map is that")
 {
     Rig rig;
-    CHECK(contains(rig.draw(), "setTexture base_color_map unit 0 <- texture 'white'"));
+    CHECK(has(rig.draw(), "setTexture base_color_map unit 0 <- texture 'white'"));
     const TextureId bricks = rig.device.adoptTexture({9, "bricks", Format::rgba8, {4, 4}}).value();
     rig.frame.materials[0].base_color_map = bricks;
-    CHECK(contains(rig.draw(), "base_color_map unit 0 <- texture 'bricks' linear repeat"));
+    CHECK(has(rig.draw(), "base_color_map unit 0 <- texture 'bricks' linear repeat"));
     CHECK(rig.device.misuse().empty());
 }
 
@@ -303,12 +298,12 @@ TEST_CASE(
 TEST_CASE("An optional import that is absent is black, one that is there is taken")
 {
     Rig rig;
-    CHECK(contains(rig.draw(), "<- texture 'black'"));
+    CHECK(has(rig.draw(), "<- texture 'black'"));
     const TextureId decal = rig.device.adoptTexture({3, "sticker", Format::rgba8, {4, 4}}).value();
     rig.frame.textures = {{"other", {}}, {"decal", decal}};
-    CHECK(contains(rig.draw(), "setTexture decal unit 2 <- texture 'sticker' nearest clamp"));
+    CHECK(has(rig.draw(), "setTexture decal unit 2 <- texture 'sticker' nearest clamp"));
     rig.frame.textures[1].texture = {};
-    CHECK(contains(rig.draw(), "<- texture 'black'"));
+    CHECK(has(rig.draw(), "<- texture 'black'"));
     CHECK(rig.device.misuse().empty());
 }
 
@@ -316,13 +311,13 @@ TEST_CASE("Passes load, clear and store as the plan says, and sample as the conf
 {
     Rig rig;
     const std::string log = rig.draw();
-    CHECK(contains(log,
-                   "beginPass geometry 64x32 color0 clear 0 0 0 0 store "
-                   "color1 clear 0.25 0 0 1 store depth clear 1 store\n"));
-    CHECK(contains(log, "beginPass occlusion 32x16 color0 discard store\n"));
-    CHECK(contains(log, "setProgram 'geometry' depth_test less depth_write"));
-    CHECK(contains(log, "setTexture noise unit 2 <- texture 'noise' nearest repeat"));
-    CHECK(contains(log, "setTexture source unit 0 <- texture 'ao' linear clamp"));
+    CHECK(has(log,
+              "beginPass geometry 64x32 color0 clear 0 0 0 0 store "
+              "color1 clear 0.25 0 0 1 store depth clear 1 store\n"));
+    CHECK(has(log, "beginPass occlusion 32x16 color0 discard store\n"));
+    CHECK(has(log, "setProgram 'geometry' depth_test less depth_write"));
+    CHECK(has(log, "setTexture noise unit 2 <- texture 'noise' nearest repeat"));
+    CHECK(has(log, "setTexture source unit 0 <- texture 'ao' linear clamp"));
 }
 
 TEST_CASE("A frame that no shader could draw is refused, and the last picture stays")

@@ -25,11 +25,7 @@ Result<std::string> chooseDevice(const std::vector<BenchSample>& samples, const 
     if (devices.empty())
         return Diagnostic{Code::results_broken, "no bench sample of these results has figures"};
     const std::string all = "the results hold: " + joined(devices, "; ");
-    devices.erase(std::remove_if(devices.begin(), devices.end(),
-                                 [&part](const std::string& device) {
-                                     return device.find(part) == std::string::npos;
-                                 }),
-                  devices.end());
+    eraseIf(devices, [&part](const std::string& device) { return !has(device, part); });
     if (devices.size() == 1) return devices.front();
     if (devices.empty()) return scopeError("no device has '" + part + "' in its name", all);
     return scopeError("the results come from " + std::to_string(devices.size()) +

@@ -33,13 +33,6 @@ bool isArithmetic(std::string_view word)
     return contains(kWords, word.substr(0, word.find('.')));
 }
 
-std::string_view trimmed(std::string_view text)
-{
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    return text;
-}
-
 /// Takes flags such as "(ss)(nop3) (rpt2)" off the front. How often the instruction repeats.
 int takeFlags(std::string_view& line)
 {
@@ -181,11 +174,11 @@ Arithmetic countArithmetic(std::string_view output)
     for (const std::string_view whole : split(output, '\n')) {
         const std::string_view line = trimmed(withoutLogPrefix(whole));
         if (startsWith(line, "Native code for ")) {
-            inside = line.find(" FRAG shader ") != std::string_view::npos;
+            inside = has(line, " FRAG shader ");
             if (inside) counts = {};  // the last one is that of the program
         } else if (startsWith(line, "; FRAG: outputs")) {
             inside = false;
-        } else if (line.find("shps ") != std::string_view::npos) {
+        } else if (has(line, "shps ")) {
             preamble = true;
         } else if (endsWith(line, "shpe")) {
             preamble = false;

@@ -111,7 +111,7 @@ std::optional<std::string> countedFragment(const std::string& text)
     }
     const std::vector<Insertion> insertions = insertionsIn(blanked, tokens);
     std::string counted = applied(blanked, insertions);
-    if (counted.find(kMain) == std::string::npos) return std::nullopt;
+    if (!has(counted, kMain)) return std::nullopt;
     counted.insert(body, std::string("highp int ") + kCount + " = 0;\n");
     counted += std::string("\nout highp vec4 crevice_count;\nvoid main()\n{\n    ") + kMain +
                "();\n    crevice_count = vec4(" + kCount + " & 255, " + kCount +

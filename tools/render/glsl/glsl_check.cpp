@@ -147,7 +147,7 @@ Diagnostics linkErrors(const CheckedProgram& program)
     for (std::size_t at = 0, end = 0; (at = log.find(kError, end)) != log.npos;) {
         end = std::min(log.find(kError, at + 1), log.size());
         const std::string_view text = std::string_view(log).substr(at, end - at);
-        const CheckedStage& of = text.find("fragment") == text.npos ? vertex : fragment;
+        const CheckedStage& of = has(text, "fragment") ? fragment : vertex;
         const std::string name = linkedName(text);
         const GlslTokens& tokens = of.spread.tokens;
         const auto found = std::find_if(tokens.begin(), tokens.end(),

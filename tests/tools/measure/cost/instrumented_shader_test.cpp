@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "core/base/text.h"
 #include "tests/support/catch.h"
 #include "tools/measure/cost/counting_device.h"
 
 using namespace crevice;
 
 namespace {
-
-bool has(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 /// The counted text of a shader with this body of main.
 std::string counted(const std::string& body)

@@ -2,6 +2,7 @@
 // The report's files: complete, self-contained, and safe from what names may hold.
 #include "tools/show/report/bench_report.h"
 
+#include "core/base/text.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/bench/fixture.h"
@@ -31,11 +32,6 @@ std::string page(const std::vector<BenchSample>& samples)
     const auto html = reportHtml(samples);
     REQUIRE(html.ok());
     return *html;
-}
-
-bool holds(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -78,9 +74,9 @@ TEST_CASE("a name can neither end the script that holds a report's figures nor t
         "a\xE2\x80\xAE"
         "b\xC2\x9B";
     const std::string html = page(samples);
-    CHECK(!holds(html, "<script>alert"));
-    CHECK(!holds(html, "\xE2\x80\xAE"));
-    CHECK(holds(html, "a\\\\u202eb\\\\u009b"));
+    CHECK(!has(html, "<script>alert"));
+    CHECK(!has(html, "\xE2\x80\xAE"));
+    CHECK(has(html, "a\\\\u202eb\\\\u009b"));
 }
 
 TEST_CASE("pictures become part of the page, each once")
@@ -96,8 +92,8 @@ TEST_CASE("pictures become part of the page, each once")
     const std::size_t first = html.find("data:image/png;" + once);
     REQUIRE(first != std::string::npos);
     CHECK(html.find(once, first + 30) == std::string::npos);
-    CHECK(holds(html, "base64,iVBORw0KGgpN\""));
-    CHECK(holds(html, "base64,iVBORw0KGgr//v0=\""));
+    CHECK(has(html, "base64,iVBORw0KGgpN\""));
+    CHECK(has(html, "base64,iVBORw0KGgr//v0=\""));
 }
 
 TEST_CASE("a report says what failed, even where everything did")
@@ -105,7 +101,7 @@ TEST_CASE("a report says what failed, even where everything did")
     BenchSample failed = benchSample("a", 4, 0, 0);
     failed.failure = "the shader does not link";
     CHECK(reportModel({failed})["views"].empty());
-    CHECK(holds(page({failed}), "the shader does not link"));
+    CHECK(has(page({failed}), "the shader does not link"));
     CHECK(!page({}).empty());
 }
 
@@ -119,10 +115,10 @@ TEST_CASE("the CSV has a row a sample, quotes what needs it, and motion where it
     const std::string csv = reportCsv(samples);
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 7);
     CHECK(csv.rfind("config,", 0) == 0);
-    CHECK(holds(csv, ",\"Mesa, \"\"llvmpipe\"\"\","));
-    CHECK(holds(csv, ",geometry=0.4 ao=0.4,"));
-    CHECK(holds(csv, ",no memory,"));
-    CHECK(holds(csv, ",0.0678,3,"));
+    CHECK(has(csv, ",\"Mesa, \"\"llvmpipe\"\"\","));
+    CHECK(has(csv, ",geometry=0.4 ao=0.4,"));
+    CHECK(has(csv, ",no memory,"));
+    CHECK(has(csv, ",0.0678,3,"));
 }
 
 TEST_CASE("no name in the CSV is a spreadsheet's formula, and each can be told from it")
@@ -140,7 +136,7 @@ TEST_CASE("no name in the CSV is a spreadsheet's formula, and each can be told f
     for (const char* cell :
          {"\r\n'=1+1,", "\r\n'+geometry/a,", "\r\n'-2+3,", "\r\n'@SUM(1),", "\r\n\"'\t=1\",",
           "\r\n\"'\n=1\",", "\r\n''a,", "\r\na=1,", ",'=x y,", ",'=cmd|' /C calc'!A0,", ",-0.25,"})
-        CHECK(holds(csv, cell));
+        CHECK(has(csv, cell));
     for (const char* formula : {",=", ",+", ",@", "\n+", "\n-", "\n@"})
-        CHECK_FALSE(holds(csv, formula));
+        CHECK_FALSE(has(csv, formula));
 }

@@ -342,8 +342,7 @@ Status checkPly(const std::string& path)
         1 << 20;  // a line an element or property takes some thirty bytes
     const std::string start = readStart(path, kLongestHeader).bytes;
     if (!startsWith(start, "ply")) return {};
-    if (start.find("end_header") == start.npos)
-        return brokenScene(path, "it ends within its header");
+    if (!has(start, "end_header")) return brokenScene(path, "it ends within its header");
     std::error_code error;
     const std::uint64_t bytes = std::filesystem::file_size(path, error);
     constexpr std::string_view kBlank = " \t", kElement = "element";
