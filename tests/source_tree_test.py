@@ -18,7 +18,7 @@ MAY_INCLUDE = {
 }
 # The layers of a library from the bottom up: a file may include its own layer and those before it.
 LAYERS = {
-    'core': 'base json glsl gpu frame sampling config plan compile run renderer'.split(),
+    'core': 'base json glsl gpu frame sampling config compile run renderer'.split(),
     'backends': 'gl context recording'.split(),
     'tools': 'render/image commands/cli render/glsl show/schema show/plan render/scene measure/reference render/device render '
              'measure/cost measure/motion measure measure/bench measure/stress show/report show/view show/page commands '
@@ -127,11 +127,11 @@ NO_EXAMPLE = 'tools/examples/'
 # What holds, where, what finds the contrary, where it does not hold, and texts that break it.
 RULES = [
     ('includes point downwards', 'core backends effects tools tests', sideways, ('tests/installed/', NO_EXAMPLE),
-     [('core/plan/x.h', '#include "backends/gl/device.h"\n'), ('core/plan/x.h', '#include "plan.h"\n'),
+     [('core/config/x.h', '#include "backends/gl/device.h"\n'), ('core/plan/x.h', '#include "plan.h"\n'),
       ('effects/x.cpp', '#include <crevice/gl_device.h>\n'), ('backends/gl/x.cpp', '#include "effects/effect.h"\n'),
       ('effects/api/c/x.cpp', '#include "tools/render/image/image_file.h"\n')]),
     ('layers include those before them', 'core backends tools', lambda source: source.cpp and climbing(source), (),
-     [('core/plan/x.cpp', '#include "core/compile/steps.h"\n'), ('core/base/x.h', '#include <crevice/document.h>\n'),
+     [('core/config/x.cpp', '#include "core/compile/steps.h"\n'), ('core/base/x.h', '#include <crevice/document.h>\n'),
       ('core/gpu/x.cpp', '#include <crevice/config.h>\n')]),
     ('what runs a plan knows no config and no JSON', 'core', config_behind_plan, (),
      [('core/run/x.cpp', '#include <crevice/renderer.h>\n')]),

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The compiler's working state and its steps, private to core/compile. They fill it in this order:
 //
-//   dead_passes   which passes run, once borders fit (target_sizes)
+//   graph         which passes run, once borders fit (target_sizes)
 //   formats       formats, which shaders allow for; at the end whether they fit and are fine enough
-//   shaders       defines, stages, outputs; with uniforms for what they declare
-//   graph         writers and order
-//   dead_passes   what is needed, and what stands in for what is not
+//   shaders       defines, stages, outputs, and what feeds the uniforms
+//   graph         writers and order; what is needed, and what stands in for what is not
 //   target_sizes  sizes and samples
 //   passes        the plan itself
 //
@@ -135,19 +134,12 @@ void lintPrecision(State& state);
 /// The macro by which a shader allows for the steps of what a texture stores.
 std::string stepDefine(const std::string& texture);
 void readShaders(State& state);
-
-// uniforms.cpp
-/// Finds what feeds the uniform, and adds that to the pass.
-void bindUniform(State& state, Pass& pass, const GlslUniform& uniform);
-void checkLimits(State& state, const Pass& pass, const Shader& shader);
 /// Offsets or pixels, from the param where one is named.
 int generatedCount(const Description& description, const GeneratedDesc& generated);
 
 // graph.cpp
 void findWriters(State& state);
 void orderPasses(State& state);
-
-// dead_passes.cpp
 void decideConditions(State& state);
 std::vector<Elided> elided(const State& state);
 void chooseLive(State& state);
