@@ -125,7 +125,7 @@ Diagnostic& report(State& state, Code code, std::string message, const Named& at
 Diagnostic& report(State& state, Code code, std::string message, const Reference& at,
                    std::string help)
 {
-    const Named where{at.name, at.place, at.pointer};
+    const Named& where = at;
     Diagnostic& error = report(state, code, std::move(message), where, std::move(help));
     for (const Place& origin : at.origins)
         error.notes.push_back({origin, "the base value was set here"});

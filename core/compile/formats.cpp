@@ -221,13 +221,13 @@ void lintPrecision(State& state)
         if (state.targets[i].textured)
             read |= checkTexture(state, *radius, need,
                                  storedSurface(description, desc, state.targets[i].format),
-                                 {desc.name, desc.formats_place, desc.pointer + "/format"});
+                                 {{desc.name, desc.formats_place, desc.pointer + "/format"}});
     }
     for (const ImportDesc& desc : description.imports)
         if (desc.type == ImportType::texture)
-            read |= checkTexture(state, *radius, need,
-                                 {Semantic::other, formatFromName(desc.format), false, false},
-                                 {desc.name, desc.place, desc.pointer});
+            read |=
+                checkTexture(state, *radius, need,
+                             {Semantic::other, formatFromName(desc.format), false, false}, {desc});
     if (read) checkVertices(state, *radius);
 }
 

@@ -58,7 +58,7 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
 Reference placeOf(const Pass& pass, const Read& read)
 {
     if (read.name.empty()) return pass.desc->mask;
-    if (!read.input) return {read.name, pass.desc->place, pass.desc->pointer};
+    if (!read.input) return {{read.name, pass.desc->place, pass.desc->pointer}};
     return read.input->from.empty() ? *read.input : read.input->from;
 }
 

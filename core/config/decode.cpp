@@ -83,7 +83,7 @@ bool isDeclared(const std::vector<std::string>& names, const FeatureDesc& featur
     if (contains(names, setting.name)) return true;
     if (report.full()) return report.count(), false;
     Reported& error = report.at(
-        referenceTo(setting), Code::unknown_param,
+        setting, Code::unknown_param,
         "feature '" + feature.name + "' sets '" + setting.name + "', and no file declares it",
         suggestName(setting.name, names, "params and features"));
     if (report.leavesOut(setting.place)) Report::leaveOut(error);
@@ -110,7 +110,7 @@ void readValue(const Node& document, const Description& description, const Featu
     int index = 0;
     if (!other.sets.empty())
         report.at(
-            referenceTo(setting), Code::cycle,
+            setting, Code::cycle,
             "feature '" + feature.name + "' sets '" + other.name + "', which sets values itself",
             "let one of the two set everything");
     else if (!report.errorWithin(other.pointer))
@@ -153,9 +153,9 @@ void readLevels(const Node& document, Description& description, Report& report)
         if (names.empty()) continue;
         for (const std::string& word : feature.values)
             if (!findNamed(feature.sets, word))
-                feature.sets.push_back({{word, feature.place, feature.pointer}, {}});
+                feature.sets.push_back({{{word, feature.place, feature.pointer}}, {}});
         if (feature.sets.size() * names.size() > kMaxSettings) {
-            report.at(referenceTo(feature), Code::over_limit,
+            report.at(feature, Code::over_limit,
                       "feature '" + feature.name + "' has " + std::to_string(feature.sets.size()) +
                           " words that set " + std::to_string(names.size()) +
                           " values, more than " + std::to_string(kMaxSettings) + " together",
@@ -166,7 +166,7 @@ void readLevels(const Node& document, Description& description, Report& report)
             complete(description, feature, first);
             const auto [setter, fresh] = setters.emplace(name, feature.name);
             if (!fresh)
-                report.at(referenceTo(first), Code::name_collision,
+                report.at(first, Code::name_collision,
                           "features '" + setter->second + "' and '" + feature.name +
                               "' both set '" + name + "'",
                           "let one of the two set it");
@@ -223,10 +223,11 @@ Reported& Report::atKey(const Cursor& cursor, Code code, std::string message, st
                 cursor.key_place, cursor.pointer});
 }
 
-Reported& Report::at(const Reference& reference, Code code, std::string message, std::string help)
+Reported& Report::at(const Named& named, Code code, std::string message, std::string help,
+                     const std::vector<Place>& origins)
 {
-    return add({code, std::move(message), std::move(help), reference.place, reference.pointer,
-                notesOf(reference.origins)});
+    return add(
+        {code, std::move(message), std::move(help), named.place, named.pointer, notesOf(origins)});
 }
 
 Reported& Report::add(Diagnostic diagnostic)
@@ -293,7 +294,7 @@ Located locate(const Node& document, std::string_view pointer)
 Reference referenceAt(const Node& document, const std::string& pointer)
 {
     const Node& node = *locate(document, pointer).node;
-    return {node.text, node.place, pointer, node.origins};
+    return {{node.text, node.place, pointer}, node.origins};
 }
 
 bool isExtension(std::string_view key) { return key.substr(0, 2) == "x-"; }

@@ -105,7 +105,7 @@ struct FileReader {
     {
         for (const GlslInclude& include : findIncludes(file.source)) {
             if (report.full()) return report.count();
-            const Reference at{include.name, include.place, pointer};
+            const Reference at{{include.name, include.place, pointer}};
             if (include.interface) {
                 if (!findNamed(description.interfaces, at.name) && !takeDefault(at.name, waiting))
                     expectInterface(at);
@@ -135,7 +135,7 @@ struct FileReader {
     {
         const Result<Found> found = findFile(sources, {"", {}}, "", "common/" + name + ".glsl");
         if (!found || !found->source) return false;
-        description.interfaces.push_back({{name}, {found->key}});
+        description.interfaces.push_back({{name}, {{found->key}}});
         waiting.push_back(*found);
         return true;
     }

@@ -59,13 +59,6 @@ bool isRetyped(Report& report, const Cursor& entry);
 /// CV4004 about a value of what no file declares; a warning where it is left out.
 void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry);
 
-template <class T>
-bool read(Report& report, const Cursor& cursor, NumberOrName<T> out, const Rule& rule);
-template <class T>
-bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule& rule);
-template <class T>
-bool read(Report& report, const Cursor& cursor, T& out, const Rule& rule);
-
 class Reader {
 public:
     Reader(Report& report, const Cursor& cursor) : report_(report), cursor_(cursor) {}
@@ -144,7 +137,7 @@ bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&
             entry.name = child.key;
             entry.place = child.key_place;
             entry.pointer = child.pointer;
-            if (std::is_base_of_v<Named, T>) checkName(report, child);
+            if (!std::is_base_of_v<Reference, T>) checkName(report, child);
         }
         if (elided || (!declared && bare))
             reportUndeclared(report, cursor, child);

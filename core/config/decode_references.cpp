@@ -295,7 +295,7 @@ struct SharedNames {
         if (fresh) return;
         const auto& [place, first] = entry->second;
         Reported& error = report.at(
-            referenceTo(named), Code::name_collision,
+            named, Code::name_collision,
             what + " '" + named.name + "' has the name of " + first + ", and " + who + " sees both",
             "rename one of them");
         error.notes.push_back({place, first + " is here"});
@@ -388,7 +388,7 @@ void checkNames(const Description& description, Report& report)
 
     for (const ParamDesc& each : description.params)
         if (findNamed(kFrameValues, each.name))
-            report.at(referenceTo(each), Code::name_collision,
+            report.at(each, Code::name_collision,
                       "param '" + each.name + "' has the name of a uniform that each frame feeds",
                       "rename the param");
 }

@@ -54,7 +54,12 @@ public:
     Reported& atKey(const Cursor& cursor, Code code, std::string message, std::string help = {});
 
     /// An error about a name that was decoded before, with a note for each place that it replaced.
-    Reported& at(const Reference& reference, Code code, std::string message, std::string help = {});
+    Reported& at(const Named& named, Code code, std::string message, std::string help = {},
+                 const std::vector<Place>& origins = {});
+    Reported& at(const Reference& reference, Code code, std::string message, std::string help = {})
+    {
+        return at(reference, code, std::move(message), std::move(help), reference.origins);
+    }
     Reported& add(Diagnostic diagnostic);
 
     /// Whether kMaxDiagnostics were reported; what is found then need only be counted.
@@ -88,12 +93,6 @@ Located locate(const Node& document, std::string_view pointer);
 
 /// To the value behind a pointer that leads somewhere; its name is the value's text.
 Reference referenceAt(const Node& document, const std::string& pointer);
-
-/// To what was declared there.
-inline Reference referenceTo(const Named& named)
-{
-    return {named.name, named.place, named.pointer};
-}
 
 /// A number as a message shows it: "0.5", "1e-09".
 std::string numberText(double number);

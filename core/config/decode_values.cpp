@@ -167,7 +167,7 @@ bool read(Report& report, const Cursor& cursor, Reference& out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::string)
         return wrongType(report, cursor, "a name", "write one name, in double quotes");
-    out = {cursor.node.text, cursor.node.place, cursor.pointer, cursor.node.origins};
+    out = {{cursor.node.text, cursor.node.place, cursor.pointer}, cursor.node.origins};
     return true;
 }
 

@@ -14,10 +14,7 @@
 namespace crevice {
 
 /// A name that refers to another object, with the place where it was written.
-struct Reference {
-    std::string name;
-    Place place = {};
-    std::string pointer = {};
+struct Reference : Named {
     std::vector<Place> origins = {};
 
     bool empty() const { return name.empty(); }

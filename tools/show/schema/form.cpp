@@ -178,7 +178,7 @@ Json formOf(std::vector<T>&, const Rule&, const Path& path)
 {
     T entry{};
     const char* const any_name = "^(?!x-)";
-    return keyedForm(std::is_base_of_v<Named, T> ? kNamePattern : any_name,
+    return keyedForm(std::is_base_of_v<Reference, T> ? any_name : kNamePattern,
                      formOf(entry, {}, path + ".NAME"));
 }
 
