@@ -157,8 +157,9 @@ Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
         const PreparedView& view = views_[runs_[run].view];
         if (beginsView(run)) setView(frame, view);
         if (!chosen[run]) continue;
-        const PassTimers::Scope timed(timers, device_, run);
+        timers.beginRun(device_, run);
         runPass(runs_[run], view.camera);
+        timers.endRun(device_, run);
     }
     return end(frame);
 }

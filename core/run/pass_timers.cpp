@@ -101,28 +101,23 @@ void PassTimers::beginFrame()
     next_ = (next_ + 1) % kTimedFrames;
 }
 
-PassTimers::Scope::Scope(PassTimers& timers, Device& device, std::size_t run)
-    : timers_(timers),
-      device_(device),
-      run_(run)
+void PassTimers::beginRun(Device& device, std::size_t run)
 {
-    if (!timers.measures_) return;
-    const std::size_t frame = timers.last();
-    running_ = timers.runs_ <= kMaxTimers && device.beginTimer(timers.slotOf(frame, run));
-    timers.frames_[frame].ran[run] = running_;
+    running_ = measures_ && runs_ <= kMaxTimers && device.beginTimer(slotOf(last(), run));
+    if (!measures_) return;
+    frames_[last()].ran[run] = running_;
     if (running_)
-        timers.latest_.method = TimingMethod::gpu_timer;
-    else if (timers.clock_)
-        begin_ms_ = timers.clock_->now();
+        latest_.method = TimingMethod::gpu_timer;
+    else if (clock_)
+        begin_ms_ = clock_->now();
 }
 
-PassTimers::Scope::~Scope()
+void PassTimers::endRun(Device& device, std::size_t run)
 {
-    if (running_) device_.endTimer();
-    if (running_ || !timers_.measures_ || !timers_.clock_) return;
-    device_.finish();
-    std::vector<double>& pass_ms = timers_.latest_.pass_ms;
-    pass_ms[run_ % pass_ms.size()] += timers_.clock_->now() - begin_ms_;
+    if (running_) return device.endTimer();
+    if (!measures_ || !clock_) return;
+    device.finish();
+    latest_.pass_ms[run % latest_.pass_ms.size()] += clock_->now() - begin_ms_;
 }
 
 }  // namespace crevice

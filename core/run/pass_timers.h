@@ -47,20 +47,9 @@ public:
 
     const FrameTimes* latest() const { return any_ ? &latest_ : nullptr; }
 
-    /// Measures a run while it lives.
-    class Scope {
-    public:
-        Scope(PassTimers& timers, Device& device, std::size_t run);
-        ~Scope();
-        Scope(const Scope&) = delete;
-
-    private:
-        PassTimers& timers_;
-        Device& device_;
-        std::size_t run_;
-        bool running_ = false;  // a timer of the device
-        double begin_ms_ = 0;   // by the clock
-    };
+    /// Measures a run from here to endRun.
+    void beginRun(Device& device, std::size_t run);
+    void endRun(Device& device, std::size_t run);
 
 private:
     struct TimedFrame {
@@ -78,6 +67,8 @@ private:
     TimedFrame frames_[kTimedFrames];
     std::size_t next_ = 0;  // frame to be measured: the oldest one
     bool measures_ = false;
+    bool running_ = false;  // a timer of the device
+    double begin_ms_ = 0;   // of a run, by the clock
     FrameTimes latest_;
     bool any_ = false;
 };
