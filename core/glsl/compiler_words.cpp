@@ -215,367 +215,355 @@ std::vector<std::string> typesAfter(std::string_view message, std::string_view l
     return types;
 }
 
-class Speaker {
-public:
-    Speaker(const GlslStage& stage, const GlslTokens& tokens, Diagnostic& error)
-        : stage_(stage),
-          tokens_(tokens),
-          error_(error)
+struct Speaker {
+    const GlslStage& stage;
+    const GlslTokens& tokens;
+    Diagnostic& error;
+    std::size_t at = 0;  ///< What the error points at; behind the last where at none.
+
+    void run()
     {
-        while (at_ < tokens.size() && !isHere(tokens[at_])) ++at_;
+        while (at < tokens.size() && !isHere(tokens[at])) ++at;
+        const std::string message = error.message;
+        if (at < tokens.size() && isForeign(tokens[at])) {
+            const std::string_view line = lineOf(error.place.source->text, error.place.line);
+            return say(characterName(line, std::size_t(error.place.column) - 1) +
+                           " is no character of GLSL",
+                       "take it out, or write what it stands for");
+        }
+        if (at < tokens.size() && pattern()) return;
+        std::string name(quotedName(message));
+        if (has(message, "can't modify") && at < tokens.size() && tokens[statement()].is("if"))
+            return say("'=' writes, where a condition is wanted", "write == to compare");
+        if (name == "assign" || name == "constructor" || name.empty())
+            name = quotedName(message.substr(std::min(message.find(" : "), message.size())));
+        if (has(message, "not return a value: ")) name = message.substr(message.rfind(' ') + 1);
+        std::string feature;
+        if (has(message, "' : not supported"))
+            feature = message.substr(1, message.find_first_of("('", 1) - 1);
+        feature.erase(feature.find_last_not_of(' ') + 1);
+        if (name.empty()) name = has(message, "edefinition") ? nameHere(true) : feature;
+        if (has(message, "syntax error") && at < tokens.size() && isName(tokens[at]))
+            name = tokens[at].text;
+        for (const std::string_view row : split(kElsewhere, '\n')) {
+            const std::string names = "," + std::string(row.substr(0, row.find('|'))) + ",";
+            if (!name.empty() && has(names, "," + name + ","))
+                return say("GLSL ES 3 has no '" + name + "'",
+                           "write " + std::string(row.substr(row.find('|') + 1)));
+        }
+        if (has(message, "syntax error")) return syntax(message);
+        const bool call =
+            has(message, "no matching overloaded") || has(message, "no function with");
+        if (call || has(message, "undeclared") || has(message, "undefined variable"))
+            return unknown(name, call);
+        if (has(message, "of type '") || has(message, "cannot convert from '"))
+            return types(message);
+        if (startsWith(message, "'' : ")) error.message.erase(0, 5);
+        tell(message, name.empty() ? nameHere(false) : name);
     }
 
-    void run();
-
-private:
     void say(std::string message, std::string help)
     {
-        error_.message = std::move(message);
-        error_.help = std::move(help);
+        error.message = std::move(message);
+        error.help = std::move(help);
     }
 
-    bool isHere(const GlslToken& token) const;
-    void pointAt(const GlslToken& token) { error_.place = placeOf(token, stage_.files); }
-    bool fits(std::string_view kind, std::size_t i) const;
-    bool pattern();
-    void sayRow(const std::vector<std::string_view>& row, std::string_view name);
-    int open(std::string_view sign, std::string_view end) const;
-    void syntax(const std::string& message);
-    void missing(const std::string& wanted, const GlslToken& last, bool value);
-    void openBrace();
-    void tell(const std::string& message, const std::string& name);
-    void unknown(const std::string& name, bool function);
-    void types(const std::string& message);
-    bool isDeclared(std::size_t i) const;
-    std::size_t statement() const;
-    std::string nameHere(bool function) const;
-    std::vector<std::string> names() const;
-    std::string signatures(std::string_view name) const;
-    std::string conversion(const std::string& given, const std::string& wanted) const;
+    void pointAt(const GlslToken& token) { error.place = placeOf(token, stage.files); }
 
-    const GlslStage& stage_;
-    const GlslTokens& tokens_;
-    Diagnostic& error_;
-    std::size_t at_ = 0;  ///< What the error points at; behind the last where at none.
-};
+    bool isHere(const GlslToken& token) const
+    {
+        return token.file >= 0 && stage.files[std::size_t(token.file)] == error.place.source &&
+               token.line == error.place.line && token.column == error.place.column;
+    }
 
-bool Speaker::isHere(const GlslToken& token) const
-{
-    return token.file >= 0 && stage_.files[std::size_t(token.file)] == error_.place.source &&
-           token.line == error_.place.line && token.column == error_.place.column;
-}
+    /// Says what a row has behind its first part, with the name for $.
+    void sayRow(const std::vector<std::string_view>& row, std::string_view name)
+    {
+        say(std::string(row[1]), std::string(row[2]));
+        for (std::string* text : {&error.message, &error.help})
+            if (const std::size_t sign = text->find('$'); sign != text->npos)
+                text->replace(sign, 1, name);
+    }
 
-/// Says what a row has behind its first part, with the name for $.
-void Speaker::sayRow(const std::vector<std::string_view>& row, std::string_view name)
-{
-    say(std::string(row[1]), std::string(row[2]));
-    for (std::string* text : {&error_.message, &error_.help})
-        if (const std::size_t at = text->find('$'); at != text->npos) text->replace(at, 1, name);
-}
+    /// Whether the token is what a pattern's word stands for.
+    bool fits(std::string_view word, std::size_t i) const
+    {
+        const GlslToken& token = tokens[i];
+        if (word == "type") return findWord(kBuiltIn, token.text) < kBuiltIn.find("uniform");
+        if (word == "name") return isName(token) && !token.is("length");
+        if (word == "value") return isValue(token) || token.is("(");
+        const bool here = word[0] == '@';
+        return token.is(word.substr(here ? 1 : 0)) && (!here || i == at);
+    }
 
-/// Whether the token is what a pattern's word stands for.
-bool Speaker::fits(std::string_view word, std::size_t i) const
-{
-    const GlslToken& token = tokens_[i];
-    if (word == "type") return findWord(kBuiltIn, token.text) < kBuiltIn.find("uniform");
-    if (word == "name") return isName(token) && !token.is("length");
-    if (word == "value") return isValue(token) || token.is("(");
-    const bool here = word[0] == '@';
-    return token.is(word.substr(here ? 1 : 0)) && (!here || i == at_);
-}
+    /// Whether the statement has one of kPatterns, at which the error then points.
+    bool pattern()
+    {
+        constexpr std::size_t kBefore = 2;  // the end of the statement before
+        const std::size_t first = statement();
+        for (const std::string_view line : split(kPatterns, '\n')) {
+            const std::vector<std::string_view> row = split(line, '|'), words = split(row[0], ' ');
+            for (std::size_t i = first - std::min(first, kBefore);
+                 row.size() == 3 && i <= at && i + words.size() <= tokens.size(); ++i) {
+                std::size_t fitting = 0, named = i;
+                for (std::size_t k = words.size(); k-- > 0 && fits(words[k], i + k); ++fitting)
+                    if (isLower(words[k][0]) && isName(tokens[i + k])) named = i + k;
+                if (fitting < words.size()) continue;
+                if (row[0].find('@') == row[0].npos) pointAt(tokens[i]);
+                sayRow(row, tokens[named].text);
+                return true;
+            }
+        }
+        return false;
+    }
 
-/// Whether the statement has one of kPatterns, at which the error then points.
-bool Speaker::pattern()
-{
-    constexpr std::size_t kBefore = 2;  // the end of the statement before
-    const std::size_t first = statement();
-    for (const std::string_view line : split(kPatterns, '\n')) {
-        const std::vector<std::string_view> row = split(line, '|'), words = split(row[0], ' ');
-        for (std::size_t i = first - std::min(first, kBefore);
-             row.size() == 3 && i <= at_ && i + words.size() <= tokens_.size(); ++i) {
-            std::size_t fitting = 0, named = i;
-            for (std::size_t k = words.size(); k-- > 0 && fits(words[k], i + k); ++fitting)
-                if (isLower(words[k][0]) && isName(tokens_[i + k])) named = i + k;
-            if (fitting < words.size()) continue;
-            if (row[0].find('@') == row[0].npos) pointAt(tokens_[i]);
-            sayRow(row, tokens_[named].text);
-            return true;
+    /// How many of such brackets are open where the error is.
+    int open(std::string_view sign, std::string_view end) const
+    {
+        int open = 0;
+        for (std::size_t i = 0; i < at; ++i) open += tokens[i].is(sign) - tokens[i].is(end);
+        return open;
+    }
+
+    void syntax(const std::string& message)
+    {
+        if (at == 0 || at >= tokens.size()) return;
+        if (has(message, "end of file") || has(message, "$end")) return openBrace();
+        const GlslToken& found = tokens[at];
+        std::size_t before_at = at - 1;
+        while (before_at > 0 && tokens[before_at].is("#")) --before_at;
+        const GlslToken& last = tokens[before_at];
+        const int depth = open("{", "}"), parens = open("(", ")");
+        const bool value = isValue(last) || isOneOf(last, ")]");
+        const std::string text(found.text), before(last.text);
+        for (const auto& [sign, opens, count] :
+             {std::tuple("}", "{", depth), std::tuple(")", "(", parens)})
+            if (found.is(sign) && count <= 0)
+                return say(
+                    "this '" + text + "' closes nothing",
+                    "take it out, or add the '" + std::string(opens) + "' that it is to close");
+        if (depth > 0 && found.is("{") && last.is(")")) return openBrace();
+        if (depth == 0 && isName(found) && !value && at + 1 < tokens.size() && (&found)[1].is("("))
+            return say("function '" + text + "' has no return type",
+                       "write: float " + text + "(...)");
+        if (has(" if for while switch ", " " + before + " "))
+            return say("a '(' is missing before '" + text + "'", "add '('");
+        if (value && isValue(found) && last.line == found.line && text != "else")
+            return say(
+                "an operator or sign is missing between '" + before + "' and '" + text + "'",
+                "add what is meant: " + std::string(parens > 0 ? "," : ";") + " + - * / ...");
+        missing(message.substr(std::min(message.find("expecting"), message.size())), last, value);
+    }
+
+    /// By what the compiler wanted. A missing semicolon belongs to where it is missing, which is
+    /// behind what the compiler read last.
+    void missing(const std::string& wanted, const GlslToken& last, bool value)
+    {
+        const GlslToken& found = tokens[at];
+        const std::string text(found.text), before(last.text);
+        std::string expected;  // what is most likely meant first
+        for (const auto& [name, sign] :
+             {std::pair("RIGHT_PAREN", ")"), std::pair("RIGHT_BRACKET", "]"),
+              std::pair("LEFT_PAREN", "("), std::pair("SEMICOLON", ";")})
+            if (expected.empty() &&
+                (has(wanted, name) || has(wanted, "'" + std::string(sign) + "'")))
+                expected = sign;
+        if (!expected.empty() && expected != ";" &&
+            (isOneOf(found, ";{}") || last.line != found.line))
+            return say("a '" + expected + "' is missing before '" + text + "'",
+                       "add '" + expected + "'");
+        if ((value || expected == ";") && (isValue(found) || found.is("}"))) {
+            const bool body = open("{", "}") <= 0 && last.is(")") && !fits("type", at);
+            expected = body ? "{" : ";";
+            say("a '" + expected + "' is missing behind '" + before + "'",
+                "add '" + expected + "'");
+            pointAt(last);
+            error.place.column += error.place.length;
+            error.place.length = 1;
+            return;
+        }
+        say("'" + text + "' cannot stand behind '" + before + "'",
+            expected.empty() ? "no statement of GLSL has the two in a row"
+                             : "glslang expects '" + expected + "' there");
+    }
+
+    /// The brace that does not close is the one whose line begins at another column than that of
+    /// the brace which seems to close it.
+    void openBrace()
+    {
+        std::vector<std::pair<const GlslToken*, int>> open;  // with the column of its line
+        const GlslToken* guilty = nullptr;
+        int column = 0;
+        for (std::size_t i = 0; i <= at; ++i) {
+            const GlslToken& token = tokens[i];
+            const bool first = i == 0 || tokens[i - 1].line != token.line;
+            if (first) column = token.column;
+            if (token.is("{")) open.push_back({&token, column});
+            if (!token.is("}") || open.empty()) continue;
+            if (first && !guilty && column < open.back().second) guilty = open.back().first;
+            open.pop_back();
+        }
+        if (open.empty())
+            return say("the text ends too early", "complete what its last line begins");
+        if (!guilty && tokens[at].is("{"))
+            return say("a function begins inside of another", "add the '}' that is missing above");
+        pointAt(guilty ? *guilty : *open.front().first);
+        say("this '{' is not closed", "add '}' where what it opens ends");
+    }
+
+    /// Whether a type or the like stands before the name at `i`, 1 or more.
+    bool isDeclared(std::size_t i) const
+    {
+        return isName(tokens[i]) && isName(tokens[i - 1]) && !tokens[i - 1].is("return");
+    }
+
+    /// Where the statement begins that the error is in.
+    std::size_t statement() const
+    {
+        std::size_t i = std::min(at, tokens.size());
+        while (i > 0 && !isOneOf(tokens[i - 1], ";{}")) --i;
+        return i;
+    }
+
+    /// What an error is about that names nothing: a function, or the type behind which it points.
+    std::string nameHere(bool function) const
+    {
+        std::size_t i = function ? statement() : at - 1;
+        while (function && i + 1 < at && !tokens[i + 1].is("(")) ++i;
+        return i < tokens.size() && isName(tokens[i]) ? std::string(tokens[i].text) : "this";
+    }
+
+    /// What is declared up to the error: for all, or in the function that it is in.
+    std::vector<std::string> names() const
+    {
+        std::vector<std::string> names = stage.defines_used;
+        for (const GlslUniform& uniform : stage.uniforms) names.push_back(uniform.name);
+        for (const std::string_view name : split(kBuiltIn, ' ')) names.emplace_back(name);
+        std::vector<std::string> local;
+        int depth = 0;
+        for (std::size_t i = 1; i < std::min(at, tokens.size()); ++i) {
+            const GlslToken& token = tokens[i];
+            depth += isOneOf(token, "({") - isOneOf(token, ")}");
+            if (depth == 0 && isOneOf(token, ";}")) local.clear();
+            if (isDeclared(i)) (depth > 0 ? local : names).emplace_back(token.text);
+        }
+        names.insert(names.end(), local.begin(), local.end());
+        return names;
+    }
+
+    /// The functions of that name, as they are declared anywhere in the stage.
+    std::string signatures(std::string_view name) const
+    {
+        std::string all;
+        for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
+            if (!tokens[i].is(name) || !isDeclared(i) || !tokens[i + 1].is("(")) continue;
+            all += all.empty() ? "" : "; ";
+            for (std::size_t k = i - 1; k < tokens.size() && !isOneOf(tokens[k], "{;"); ++k)
+                all += (k >= i && isName(tokens[k]) && isName(tokens[k - 1]) ? " " : "") +
+                       std::string(tokens[k].text) + (tokens[k].is(",") ? " " : "");
+        }
+        return all;
+    }
+
+    void unknown(const std::string& name, bool function)
+    {
+        const std::string declared = signatures(name);
+        const std::vector<std::string_view> built_in = split(kBuiltIn, ' ');
+        const bool known = std::find(built_in.begin(), built_in.end(), name) != built_in.end();
+        const std::vector<std::string> usable = names();
+        if (function && !declared.empty() && !contains(usable, name))
+            return say("'" + name + "' is called above its declaration",
+                       "move it up, or declare it above: " + declared + ";");
+        std::string help = declared.empty() ? conversion("int", "float") : "declared: " + declared;
+        for (const auto& [of, wanted] : kArguments)
+            if (of == name) help = wanted;
+        const std::string argument(at + 2 < tokens.size() ? tokens[at + 2].text : "");
+        if (function && known && findNamed(stage.outputs, argument))
+            help = "'" + argument +
+                   "' is an output, which no pass reads: read a target as a uniform sampler2D";
+        if (startsWith(help, "GLSL ES converts"))
+            help = "their number, order, types and sizes must be as the function takes them";
+        if (function && (known || !declared.empty()))
+            return say("no '" + name + "' takes these arguments", help);
+        if (known || !declared.empty())
+            return say(
+                "'" + name + "' is a function, and is not called",
+                "write " + (known ? name + "(...)" : "its arguments behind it: " + declared));
+        help = suggestName(name, usable, "");
+        help.resize(has(help, "did you mean") ? help.find('?') + 1 : 0);
+        if (help.empty()) help = "declare it, or include the file that does";
+        if (contains(usable, name))
+            help = "it is declared in another block: declare it before both";
+        say("'" + name + "'" + std::string(kNotDeclared), help);
+    }
+
+    /// How to make `wanted` of `given`: by another form of the first whole number of the statement,
+    /// if there is one.
+    std::string conversion(const std::string& given, const std::string& wanted) const
+    {
+        for (std::size_t i = statement();
+             given == "int" && i < tokens.size() && !isOneOf(tokens[i], ";{}"); ++i) {
+            const std::string text(tokens[i].text);
+            const bool whole = text.find_first_not_of("0123456789") == text.npos;
+            if (!whole || i == 0 || tokens[i - 1].is("[")) continue;
+            return "write " + text + (wanted == "uint" ? "u" : ".0") + " for " + text +
+                   ": GLSL ES converts nothing by itself";
+        }
+        if (startsWith(given, "sampler")) return "write texture(s, uv), which reads it";
+        if (given == "void") return "let the function return " + wanted;
+        if (has(given, "vec") && !isWhole(given) && (wanted < given || !has(wanted, "vec")))
+            return "take as many of its components as are wanted: .x, .xy or .xyz";
+        return "GLSL ES converts nothing by itself: write " + wanted + "(...)";
+    }
+
+    void types(const std::string& message)
+    {
+        const std::vector<std::string> operands = typesAfter(message, "operand of type '");
+        const std::vector<std::string> from = typesAfter(message, "cannot convert from '");
+        const std::vector<std::string> to = typesAfter(message, "' to '");
+        const std::string sign = message.substr(message.find('\'') + 1, message.find("' ") - 1);
+        const std::string compare = sign[0] == '<'   ? "lessThan"
+                                    : sign[0] == '>' ? "greaterThan"
+                                                     : "";
+        if (operands.size() == 2)
+            say("'" + sign + "' does not take " + operands[0] + " and " + operands[1],
+                sign == "<<" || sign == ">>" ? "shift a whole number by a whole number"
+                : sign == "^"                ? "write pow(a, b)"
+                : sign == "&&" || sign == "||" || sign == "^^" ? "compare what is no bool: x > 0.0"
+                : !compare.empty() && operands[0] == "bool"    ? "write a < b && b < c"
+                : !compare.empty() && has(operands[0], "vec")
+                    ? "compare by component: any(" + compare + "(a, b))"
+                : operands[0] == operands[1] ? "it is for other types; % of floats is mod(a, b)"
+                : contains(operands, "bool") ? "write float(...) around what is true or false"
+                : isWhole(operands[0]) && isWhole(operands[1])
+                    ? conversion(operands[0], operands[1])
+                : isWhole(operands[0]) ? conversion(operands[0], floatOf(operands[0]))
+                : isWhole(operands[1]) ? conversion(operands[1], floatOf(operands[1]))
+                                       : "bring both to one size: float(...), vec4(v, 1.0), .xyz");
+        else if (!from.empty() && !to.empty())
+            say("this is " + from[0] + ", wanted " + to[0], conversion(from[0], to[0]));
+    }
+
+    /// By kMessages; and where the first of two declarations is.
+    void tell(const std::string& message, const std::string& name)
+    {
+        const bool twice = has(message, "' : redefinition") || has(message, "already has a body") ||
+                           has(message, "function syntax");
+        for (std::size_t i = twice ? std::min(at, tokens.size()) : 0; i-- > 1;)
+            if (tokens[i].is(name) && isDeclared(i) && error.notes.empty())
+                error.notes.push_back({placeOf(tokens[i], stage.files), "it is declared here too"});
+        for (const std::string_view row : split(kMessages, '\n')) {
+            const std::vector<std::string_view> parts = split(row, '|');
+            if (parts.size() == 3 && has(message, parts[0])) return sayRow(parts, name);
         }
     }
-    return false;
-}
-
-/// How many of such brackets are open where the error is.
-int Speaker::open(std::string_view sign, std::string_view end) const
-{
-    int open = 0;
-    for (std::size_t i = 0; i < at_; ++i) open += tokens_[i].is(sign) - tokens_[i].is(end);
-    return open;
-}
-
-void Speaker::syntax(const std::string& message)
-{
-    if (at_ == 0 || at_ >= tokens_.size()) return;
-    if (has(message, "end of file") || has(message, "$end")) return openBrace();
-    const GlslToken& found = tokens_[at_];
-    std::size_t before_at = at_ - 1;
-    while (before_at > 0 && tokens_[before_at].is("#")) --before_at;
-    const GlslToken& last = tokens_[before_at];
-    const int depth = open("{", "}"), parens = open("(", ")");
-    const bool value = isValue(last) || isOneOf(last, ")]");
-    const std::string text(found.text), before(last.text);
-    for (const auto& [sign, opens, count] :
-         {std::tuple("}", "{", depth), std::tuple(")", "(", parens)})
-        if (found.is(sign) && count <= 0)
-            return say("this '" + text + "' closes nothing",
-                       "take it out, or add the '" + std::string(opens) + "' that it is to close");
-    if (depth > 0 && found.is("{") && last.is(")")) return openBrace();
-    if (depth == 0 && isName(found) && !value && at_ + 1 < tokens_.size() && (&found)[1].is("("))
-        return say("function '" + text + "' has no return type", "write: float " + text + "(...)");
-    if (has(" if for while switch ", " " + before + " "))
-        return say("a '(' is missing before '" + text + "'", "add '('");
-    if (value && isValue(found) && last.line == found.line && text != "else")
-        return say("an operator or sign is missing between '" + before + "' and '" + text + "'",
-                   "add what is meant: " + std::string(parens > 0 ? "," : ";") + " + - * / ...");
-    missing(message.substr(std::min(message.find("expecting"), message.size())), last, value);
-}
-
-/// By what the compiler wanted. A missing semicolon belongs to where it is missing, which is behind
-/// what the compiler read last.
-void Speaker::missing(const std::string& wanted, const GlslToken& last, bool value)
-{
-    const GlslToken& found = tokens_[at_];
-    const std::string text(found.text), before(last.text);
-    std::string expected;  // what is most likely meant first
-    for (const auto& [name, sign] : {std::pair("RIGHT_PAREN", ")"), std::pair("RIGHT_BRACKET", "]"),
-                                     std::pair("LEFT_PAREN", "("), std::pair("SEMICOLON", ";")})
-        if (expected.empty() && (has(wanted, name) || has(wanted, "'" + std::string(sign) + "'")))
-            expected = sign;
-    if (!expected.empty() && expected != ";" && (isOneOf(found, ";{}") || last.line != found.line))
-        return say("a '" + expected + "' is missing before '" + text + "'",
-                   "add '" + expected + "'");
-    if ((value || expected == ";") && (isValue(found) || found.is("}"))) {
-        const bool body = open("{", "}") <= 0 && last.is(")") && !fits("type", at_);
-        expected = body ? "{" : ";";
-        say("a '" + expected + "' is missing behind '" + before + "'", "add '" + expected + "'");
-        pointAt(last);
-        error_.place.column += error_.place.length;
-        error_.place.length = 1;
-        return;
-    }
-    say("'" + text + "' cannot stand behind '" + before + "'",
-        expected.empty() ? "no statement of GLSL has the two in a row"
-                         : "glslang expects '" + expected + "' there");
-}
-
-/// The brace that does not close is the one whose line begins at another column than that of the
-/// brace which seems to close it.
-void Speaker::openBrace()
-{
-    std::vector<std::pair<const GlslToken*, int>> open;  // with the column of its line
-    const GlslToken* guilty = nullptr;
-    int column = 0;
-    for (std::size_t i = 0; i <= at_; ++i) {
-        const GlslToken& token = tokens_[i];
-        const bool first = i == 0 || tokens_[i - 1].line != token.line;
-        if (first) column = token.column;
-        if (token.is("{")) open.push_back({&token, column});
-        if (!token.is("}") || open.empty()) continue;
-        if (first && !guilty && column < open.back().second) guilty = open.back().first;
-        open.pop_back();
-    }
-    if (open.empty()) return say("the text ends too early", "complete what its last line begins");
-    if (!guilty && tokens_[at_].is("{"))
-        return say("a function begins inside of another", "add the '}' that is missing above");
-    pointAt(guilty ? *guilty : *open.front().first);
-    say("this '{' is not closed", "add '}' where what it opens ends");
-}
-
-/// Whether a type or the like stands before the name at `i`, 1 or more.
-bool Speaker::isDeclared(std::size_t i) const
-{
-    return isName(tokens_[i]) && isName(tokens_[i - 1]) && !tokens_[i - 1].is("return");
-}
-
-/// Where the statement begins that the error is in.
-std::size_t Speaker::statement() const
-{
-    std::size_t i = std::min(at_, tokens_.size());
-    while (i > 0 && !isOneOf(tokens_[i - 1], ";{}")) --i;
-    return i;
-}
-
-/// What an error is about that names nothing: a function, or the type behind which it points.
-std::string Speaker::nameHere(bool function) const
-{
-    std::size_t i = function ? statement() : at_ - 1;
-    while (function && i + 1 < at_ && !tokens_[i + 1].is("(")) ++i;
-    return i < tokens_.size() && isName(tokens_[i]) ? std::string(tokens_[i].text) : "this";
-}
-
-/// What is declared up to the error: for all, or in the function that it is in.
-std::vector<std::string> Speaker::names() const
-{
-    std::vector<std::string> names = stage_.defines_used;
-    for (const GlslUniform& uniform : stage_.uniforms) names.push_back(uniform.name);
-    for (const std::string_view name : split(kBuiltIn, ' ')) names.emplace_back(name);
-    std::vector<std::string> local;
-    int depth = 0;
-    for (std::size_t i = 1; i < std::min(at_, tokens_.size()); ++i) {
-        const GlslToken& token = tokens_[i];
-        depth += isOneOf(token, "({") - isOneOf(token, ")}");
-        if (depth == 0 && isOneOf(token, ";}")) local.clear();
-        if (isDeclared(i)) (depth > 0 ? local : names).emplace_back(token.text);
-    }
-    names.insert(names.end(), local.begin(), local.end());
-    return names;
-}
-
-/// The functions of that name, as they are declared anywhere in the stage.
-std::string Speaker::signatures(std::string_view name) const
-{
-    std::string all;
-    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
-        if (!tokens_[i].is(name) || !isDeclared(i) || !tokens_[i + 1].is("(")) continue;
-        all += all.empty() ? "" : "; ";
-        for (std::size_t k = i - 1; k < tokens_.size() && !isOneOf(tokens_[k], "{;"); ++k)
-            all += (k >= i && isName(tokens_[k]) && isName(tokens_[k - 1]) ? " " : "") +
-                   std::string(tokens_[k].text) + (tokens_[k].is(",") ? " " : "");
-    }
-    return all;
-}
-
-void Speaker::unknown(const std::string& name, bool function)
-{
-    const std::string declared = signatures(name);
-    const std::vector<std::string_view> built_in = split(kBuiltIn, ' ');
-    const bool known = std::find(built_in.begin(), built_in.end(), name) != built_in.end();
-    const std::vector<std::string> usable = names();
-    if (function && !declared.empty() && !contains(usable, name))
-        return say("'" + name + "' is called above its declaration",
-                   "move it up, or declare it above: " + declared + ";");
-    std::string help = declared.empty() ? conversion("int", "float") : "declared: " + declared;
-    for (const auto& [of, wanted] : kArguments)
-        if (of == name) help = wanted;
-    const std::string argument(at_ + 2 < tokens_.size() ? tokens_[at_ + 2].text : "");
-    if (function && known && findNamed(stage_.outputs, argument))
-        help = "'" + argument +
-               "' is an output, which no pass reads: read a target as a uniform sampler2D";
-    if (startsWith(help, "GLSL ES converts"))
-        help = "their number, order, types and sizes must be as the function takes them";
-    if (function && (known || !declared.empty()))
-        return say("no '" + name + "' takes these arguments", help);
-    if (known || !declared.empty())
-        return say("'" + name + "' is a function, and is not called",
-                   "write " + (known ? name + "(...)" : "its arguments behind it: " + declared));
-    help = suggestName(name, usable, "");
-    help.resize(has(help, "did you mean") ? help.find('?') + 1 : 0);
-    if (help.empty()) help = "declare it, or include the file that does";
-    if (contains(usable, name)) help = "it is declared in another block: declare it before both";
-    say("'" + name + "'" + std::string(kNotDeclared), help);
-}
-
-/// How to make `wanted` of `given`: by another form of the first whole number of the statement, if
-/// there is one.
-std::string Speaker::conversion(const std::string& given, const std::string& wanted) const
-{
-    for (std::size_t i = statement();
-         given == "int" && i < tokens_.size() && !isOneOf(tokens_[i], ";{}"); ++i) {
-        const std::string text(tokens_[i].text);
-        const bool whole = text.find_first_not_of("0123456789") == text.npos;
-        if (!whole || i == 0 || tokens_[i - 1].is("[")) continue;
-        return "write " + text + (wanted == "uint" ? "u" : ".0") + " for " + text +
-               ": GLSL ES converts nothing by itself";
-    }
-    if (startsWith(given, "sampler")) return "write texture(s, uv), which reads it";
-    if (given == "void") return "let the function return " + wanted;
-    if (has(given, "vec") && !isWhole(given) && (wanted < given || !has(wanted, "vec")))
-        return "take as many of its components as are wanted: .x, .xy or .xyz";
-    return "GLSL ES converts nothing by itself: write " + wanted + "(...)";
-}
-
-void Speaker::types(const std::string& message)
-{
-    const std::vector<std::string> operands = typesAfter(message, "operand of type '");
-    const std::vector<std::string> from = typesAfter(message, "cannot convert from '");
-    const std::vector<std::string> to = typesAfter(message, "' to '");
-    const std::string sign = message.substr(message.find('\'') + 1, message.find("' ") - 1);
-    const std::string compare = sign[0] == '<' ? "lessThan" : sign[0] == '>' ? "greaterThan" : "";
-    if (operands.size() == 2)
-        say("'" + sign + "' does not take " + operands[0] + " and " + operands[1],
-            sign == "<<" || sign == ">>" ? "shift a whole number by a whole number"
-            : sign == "^"                ? "write pow(a, b)"
-            : sign == "&&" || sign == "||" || sign == "^^" ? "compare what is no bool: x > 0.0"
-            : !compare.empty() && operands[0] == "bool"    ? "write a < b && b < c"
-            : !compare.empty() && has(operands[0], "vec")
-                ? "compare by component: any(" + compare + "(a, b))"
-            : operands[0] == operands[1] ? "it is for other types; % of floats is mod(a, b)"
-            : contains(operands, "bool") ? "write float(...) around what is true or false"
-            : isWhole(operands[0]) && isWhole(operands[1]) ? conversion(operands[0], operands[1])
-            : isWhole(operands[0]) ? conversion(operands[0], floatOf(operands[0]))
-            : isWhole(operands[1]) ? conversion(operands[1], floatOf(operands[1]))
-                                   : "bring both to one size: float(...), vec4(v, 1.0), .xyz");
-    else if (!from.empty() && !to.empty())
-        say("this is " + from[0] + ", wanted " + to[0], conversion(from[0], to[0]));
-}
-
-void Speaker::run()
-{
-    const std::string message = error_.message;
-    if (at_ < tokens_.size() && isForeign(tokens_[at_])) {
-        const std::string_view line = lineOf(error_.place.source->text, error_.place.line);
-        return say(
-            characterName(line, std::size_t(error_.place.column) - 1) + " is no character of GLSL",
-            "take it out, or write what it stands for");
-    }
-    if (at_ < tokens_.size() && pattern()) return;
-    std::string name(quotedName(message));
-    if (has(message, "can't modify") && at_ < tokens_.size() && tokens_[statement()].is("if"))
-        return say("'=' writes, where a condition is wanted", "write == to compare");
-    if (name == "assign" || name == "constructor" || name.empty())
-        name = quotedName(message.substr(std::min(message.find(" : "), message.size())));
-    if (has(message, "not return a value: ")) name = message.substr(message.rfind(' ') + 1);
-    std::string feature;
-    if (has(message, "' : not supported"))
-        feature = message.substr(1, message.find_first_of("('", 1) - 1);
-    feature.erase(feature.find_last_not_of(' ') + 1);
-    if (name.empty()) name = has(message, "edefinition") ? nameHere(true) : feature;
-    if (has(message, "syntax error") && at_ < tokens_.size() && isName(tokens_[at_]))
-        name = tokens_[at_].text;
-    for (const std::string_view row : split(kElsewhere, '\n')) {
-        const std::string names = "," + std::string(row.substr(0, row.find('|'))) + ",";
-        if (!name.empty() && has(names, "," + name + ","))
-            return say("GLSL ES 3 has no '" + name + "'",
-                       "write " + std::string(row.substr(row.find('|') + 1)));
-    }
-    if (has(message, "syntax error")) return syntax(message);
-    const bool call = has(message, "no matching overloaded") || has(message, "no function with");
-    if (call || has(message, "undeclared") || has(message, "undefined variable"))
-        return unknown(name, call);
-    if (has(message, "of type '") || has(message, "cannot convert from '")) return types(message);
-    if (startsWith(message, "'' : ")) error_.message.erase(0, 5);
-    tell(message, name.empty() ? nameHere(false) : name);
-}
-
-/// By kMessages; and where the first of two declarations is.
-void Speaker::tell(const std::string& message, const std::string& name)
-{
-    const bool twice = has(message, "' : redefinition") || has(message, "already has a body") ||
-                       has(message, "function syntax");
-    for (std::size_t i = twice ? std::min(at_, tokens_.size()) : 0; i-- > 1;)
-        if (tokens_[i].is(name) && isDeclared(i) && error_.notes.empty())
-            error_.notes.push_back({placeOf(tokens_[i], stage_.files), "it is declared here too"});
-    for (const std::string_view row : split(kMessages, '\n')) {
-        const std::vector<std::string_view> parts = split(row, '|');
-        if (parts.size() == 3 && has(message, parts[0])) return sayRow(parts, name);
-    }
-}
+};
 
 }  // namespace
 
 void sayPlainly(const GlslStage& stage, const GlslTokens& tokens, Diagnostic& error)
 {
-    Speaker(stage, tokens, error).run();
+    Speaker{stage, tokens, error}.run();
 }
 
 }  // namespace crevice

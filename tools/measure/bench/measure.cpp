@@ -68,12 +68,49 @@ struct BenchMeter::Setting {
 
     /// Draws the depth, and sets up what every sample needs from it: the copy pass and the radius
     /// on screen.
-    Status makeCopy(Device& device, const SourceSet& sources, double radius);
+    Status makeCopy(Device& device, const SourceSet& sources, double radius)
+    {
+        const Result<Description> drawn = loadDescription({kDepthModule, {}, {}, {}}, sources);
+        if (!drawn) return drawn.diagnostics();
+        auto depth_renderer = makeRenderer(device, *drawn, {"depth"});
+        if (!depth_renderer) return depth_renderer.diagnostics();
+        depth = std::move(*depth_renderer);
+        if (const Status done = depth->render(frame); !done) return done;
+        const Result<Image> image = readOutput(device, *depth, "depth");
+        if (!image) return image.diagnostics();
+        distance = medianDistance(*image, frame.camera);
+        if (distance) radius_px = pixelsOf(radius, *distance, frame.camera, view.extent);
 
-    void makeYardstick(Device& device, const SourceSet& sources, double radius);
+        const Result<Description> copied = loadDescription({kCopyModule, {}, {}, {}}, sources);
+        if (!copied) return copied.diagnostics();
+        copy_frame.textures = {{"depth", depth->output("depth")}};
+        auto made = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(copy_frame));
+        if (!made) return made.diagnostics();
+        copy = std::move(*made);
+        copy_turns.emplace(*copy, copy_frame);
+        return {};
+    }
+
+    void makeYardstick(Device& device, const SourceSet& sources, double radius)
+    {
+        const Result<Description> described = loadDescription({kYardstick, {}, {}, {}}, sources);
+        if (!described) return;
+        auto renderer = makeRenderer(device, *described, {"ao"});
+        if (!renderer || !(*renderer)->setParam("radius", static_cast<float>(radius))) return;
+        yardstick = std::move(*renderer);
+        yardstick_turns.emplace(*yardstick, frame);
+    }
 
     /// Warms up, then so many turns, for the first sample to have something to go by.
-    Status beginTurns(int count);
+    Status beginTurns(int count)
+    {
+        if (const Status warm = takeTurns(); !warm) return warm;
+        copy_turns->restart();
+        if (yardstick_turns) yardstick_turns->restart();
+        for (int turn = 0; turn < count; ++turn)
+            if (const Status drawn = takeTurns(); !drawn) return drawn;
+        return {};
+    }
 
     /// For `frame`, or a frame of it that a host hands over.
     Result<std::unique_ptr<Renderer>> makeRenderer(Device& device, Description description,
@@ -87,7 +124,11 @@ struct BenchMeter::Setting {
     }
 
     /// Times the copy pass once, and the yardstick once.
-    Status takeTurns();
+    Status takeTurns()
+    {
+        if (const Status drawn = copy_turns->takeTurn(); !drawn) return drawn;
+        return yardstick_turns ? yardstick_turns->takeTurn() : Status();
+    }
 
     /// The costs that a ratio is taken against turn by turn: the yardstick's, else the copy's.
     const std::vector<double>& unitCosts() const
@@ -112,56 +153,6 @@ struct BenchMeter::Setting {
     std::optional<TurnTaker> copy_turns;
     std::optional<TurnTaker> yardstick_turns;  ///< None without a yardstick.
 };
-
-Status BenchMeter::Setting::makeCopy(Device& device, const SourceSet& sources, double radius)
-{
-    const Result<Description> drawn = loadDescription({kDepthModule, {}, {}, {}}, sources);
-    if (!drawn) return drawn.diagnostics();
-    auto depth_renderer = makeRenderer(device, *drawn, {"depth"});
-    if (!depth_renderer) return depth_renderer.diagnostics();
-    depth = std::move(*depth_renderer);
-    if (const Status done = depth->render(frame); !done) return done;
-    const Result<Image> image = readOutput(device, *depth, "depth");
-    if (!image) return image.diagnostics();
-    distance = medianDistance(*image, frame.camera);
-    if (distance) radius_px = pixelsOf(radius, *distance, frame.camera, view.extent);
-
-    const Result<Description> copied = loadDescription({kCopyModule, {}, {}, {}}, sources);
-    if (!copied) return copied.diagnostics();
-    copy_frame.textures = {{"depth", depth->output("depth")}};
-    auto made = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(copy_frame));
-    if (!made) return made.diagnostics();
-    copy = std::move(*made);
-    copy_turns.emplace(*copy, copy_frame);
-    return {};
-}
-
-/// Leaves it null where the device cannot draw it.
-void BenchMeter::Setting::makeYardstick(Device& device, const SourceSet& sources, double radius)
-{
-    const Result<Description> described = loadDescription({kYardstick, {}, {}, {}}, sources);
-    if (!described) return;
-    auto renderer = makeRenderer(device, *described, {"ao"});
-    if (!renderer || !(*renderer)->setParam("radius", static_cast<float>(radius))) return;
-    yardstick = std::move(*renderer);
-    yardstick_turns.emplace(*yardstick, frame);
-}
-
-Status BenchMeter::Setting::beginTurns(int count)
-{
-    if (const Status warm = takeTurns(); !warm) return warm;
-    copy_turns->restart();
-    if (yardstick_turns) yardstick_turns->restart();
-    for (int turn = 0; turn < count; ++turn)
-        if (const Status drawn = takeTurns(); !drawn) return drawn;
-    return {};
-}
-
-Status BenchMeter::Setting::takeTurns()
-{
-    if (const Status drawn = copy_turns->takeTurn(); !drawn) return drawn;
-    return yardstick_turns ? yardstick_turns->takeTurn() : Status();
-}
 
 BenchMeter::BenchMeter(Device& device, const BenchPlan& plan, const SourceSet& sources,
                        MeasureOptions options)

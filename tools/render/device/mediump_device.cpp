@@ -104,22 +104,20 @@ public:
 
     const DeviceCaps& caps() const override { return caps_; }
 
-    Result<ProgramId> createProgram(const ProgramDesc& desc) override;
+    Result<ProgramId> createProgram(const ProgramDesc& desc) override
+    {
+        Result<GlslStage> vertex = rewrite(desc.vertex, GLSLANG_STAGE_VERTEX, mediump_);
+        if (!vertex) return vertex.diagnostics();
+        Result<GlslStage> fragment = rewrite(desc.fragment, GLSLANG_STAGE_FRAGMENT, mediump_);
+        if (!fragment) return fragment.diagnostics();
+        return device_.createProgram({desc.label, std::move(*vertex), std::move(*fragment)});
+    }
 
 private:
     std::unique_ptr<Device> owned_;
     Mediump mediump_;
     DeviceCaps caps_;
 };
-
-Result<ProgramId> MediumpDevice::createProgram(const ProgramDesc& desc)
-{
-    Result<GlslStage> vertex = rewrite(desc.vertex, GLSLANG_STAGE_VERTEX, mediump_);
-    if (!vertex) return vertex.diagnostics();
-    Result<GlslStage> fragment = rewrite(desc.fragment, GLSLANG_STAGE_FRAGMENT, mediump_);
-    if (!fragment) return fragment.diagnostics();
-    return device_.createProgram({desc.label, std::move(*vertex), std::move(*fragment)});
-}
 
 }  // namespace
 

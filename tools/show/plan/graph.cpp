@@ -27,15 +27,64 @@ class Drawing {
 public:
     explicit Drawing(const Plan& plan) : plan_(plan) {}
 
-    void addPass(const PlanPass& pass);
-    void addOutput(const PlanOutput& output);
-    std::string text() const;
+    void addPass(const PlanPass& pass)
+    {
+        const std::string views =
+            plan_.views > 1 ? ", " + std::to_string(plan_.views) + " views" : std::string();
+        const std::string box = node("pass_" + pass.name, "box",
+                                     pass.name + "\n" + plan_.programs[pass.program].label + " " +
+                                         sizeText(pass.extent) + samplesText(pass.samples) + views);
+        for (const PlanInput& input : pass.inputs) edge(source(input), box);
+        const auto write = [&](const PlanAttachment& attachment) {
+            if (attachment.target >= 0) edge(box, target(attachment.target));
+        };
+        for (const PlanAttachment& color : pass.color) write(color);
+        if (pass.has_depth && !isMasked(pass)) write(pass.depth);
+    }
+
+    void addOutput(const PlanOutput& output)
+    {
+        const bool constant = output.constant >= 0;
+        const std::string name = node("output_" + output.name, "plaintext", output.name);
+        edge(constant ? source({"", InputKind::constant, output.constant, {}})
+                      : target(output.target),
+             name);
+    }
+
+    std::string text() const
+    {
+        return "digraph " + quoted(printableLine(plan_.config)) + " {\n  rankdir=LR;\n" + nodes_ +
+               edges_ + "}\n";
+    }
 
 private:
     // The quoted name of a node, which is drawn once.
-    std::string node(const std::string& id, const char* shape, const std::string& label);
-    std::string target(int index);
-    std::string source(const PlanInput& input);
+    std::string node(const std::string& id, const char* shape, const std::string& label)
+    {
+        if (drawn_.insert(id).second)
+            nodes_ += "  " + quoted(id) + " [shape=" + shape + ", label=" + quoted(label) + "];\n";
+        return quoted(id);
+    }
+
+    std::string target(int index)
+    {
+        const std::string& name = plan_.targets[index].name;
+        const PlanTexture& texture = textureOf(plan_, index);
+        return node("target_" + name, "ellipse",
+                    name + "\n" + formatInfo(texture.format).name + " " + sizeText(texture.extent) +
+                        ", texture " + std::to_string(plan_.targets[index].texture) +
+                        (texture.copies > 1 ? ", one a view" : ""));
+    }
+
+    std::string source(const PlanInput& input)
+    {
+        if (input.kind == InputKind::target) return target(input.index);
+        const std::string name = sourceName(plan_, input), kind = nameOf(input.kind);
+        const bool history = input.kind == InputKind::history;
+        return node(kind + "_" + name, "ellipse",
+                    name + "\n" + (history ? "of the last frame" : kind));
+    }
+
     void edge(const std::string& from, const std::string& to)
     {
         edges_ += "  " + from + " -> " + to + ";\n";
@@ -45,60 +94,6 @@ private:
     std::set<std::string> drawn_;
     std::string nodes_, edges_;
 };
-
-std::string Drawing::node(const std::string& id, const char* shape, const std::string& label)
-{
-    if (drawn_.insert(id).second)
-        nodes_ += "  " + quoted(id) + " [shape=" + shape + ", label=" + quoted(label) + "];\n";
-    return quoted(id);
-}
-
-std::string Drawing::target(int index)
-{
-    const std::string& name = plan_.targets[index].name;
-    const PlanTexture& texture = textureOf(plan_, index);
-    return node("target_" + name, "ellipse",
-                name + "\n" + formatInfo(texture.format).name + " " + sizeText(texture.extent) +
-                    ", texture " + std::to_string(plan_.targets[index].texture) +
-                    (texture.copies > 1 ? ", one a view" : ""));
-}
-
-std::string Drawing::source(const PlanInput& input)
-{
-    if (input.kind == InputKind::target) return target(input.index);
-    const std::string name = sourceName(plan_, input), kind = nameOf(input.kind);
-    const bool history = input.kind == InputKind::history;
-    return node(kind + "_" + name, "ellipse", name + "\n" + (history ? "of the last frame" : kind));
-}
-
-void Drawing::addPass(const PlanPass& pass)
-{
-    const std::string views =
-        plan_.views > 1 ? ", " + std::to_string(plan_.views) + " views" : std::string();
-    const std::string box = node("pass_" + pass.name, "box",
-                                 pass.name + "\n" + plan_.programs[pass.program].label + " " +
-                                     sizeText(pass.extent) + samplesText(pass.samples) + views);
-    for (const PlanInput& input : pass.inputs) edge(source(input), box);
-    const auto write = [&](const PlanAttachment& attachment) {
-        if (attachment.target >= 0) edge(box, target(attachment.target));
-    };
-    for (const PlanAttachment& color : pass.color) write(color);
-    if (pass.has_depth && !isMasked(pass)) write(pass.depth);
-}
-
-void Drawing::addOutput(const PlanOutput& output)
-{
-    const bool constant = output.constant >= 0;
-    const std::string name = node("output_" + output.name, "plaintext", output.name);
-    edge(constant ? source({"", InputKind::constant, output.constant, {}}) : target(output.target),
-         name);
-}
-
-std::string Drawing::text() const
-{
-    return "digraph " + quoted(printableLine(plan_.config)) + " {\n  rankdir=LR;\n" + nodes_ +
-           edges_ + "}\n";
-}
 
 }  // namespace
 
