@@ -31,11 +31,9 @@ bool wholeInt(float value)
 
 Diagnostic dropped(const std::string& what, const Named& old, const std::string& why)
 {
-    Diagnostic warning{Code::value_dropped,
-                       what + " '" + old.name + "' is no longer what was set at run time: " + why,
-                       "set it again, to a value that the config has now"};
-    warning.severity = Severity::warning;
-    return warning;
+    return asWarning({Code::value_dropped,
+                      what + " '" + old.name + "' is no longer what was set at run time: " + why,
+                      "set it again, to a value that the config has now"});
 }
 
 void carryParam(const ParamDesc& old, Description& next, Diagnostics& warnings)

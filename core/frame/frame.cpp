@@ -34,7 +34,7 @@ glm::dvec3 towardsLight(const Light& light, const glm::dmat4& view_from_world)
 
 Diagnostic elided(std::string what, std::string help)
 {
-    return {Code::bad_input, std::move(what), std::move(help), {}, {}, {}, Severity::warning};
+    return asWarning({Code::bad_input, std::move(what), std::move(help)});
 }
 
 constexpr const char* kUnknownIdHelp =

@@ -42,13 +42,12 @@ Status withCompiled(const Status& status, const Execution& execution, const std:
 {
     if (!status || execution.compiled().empty()) return status;
     const std::string shaders = "'" + joined(execution.compiled(), "', '") + "'";
-    Diagnostic warning{Code::recompiled, cause + ", so setting it compiled " + shaders,
-                       "set each value once while loading, since what was compiled is kept, or "
-                       "bind a param that changes often as a uniform",
-                       at.place, at.pointer};
-    warning.severity = Severity::warning;
     Diagnostics all = status.diagnostics();
-    all.push_back(std::move(warning));
+    all.push_back(
+        asWarning({Code::recompiled, cause + ", so setting it compiled " + shaders,
+                   "set each value once while loading, since what was compiled is kept, or "
+                   "bind a param that changes often as a uniform",
+                   at.place, at.pointer}));
     return all;
 }
 
@@ -64,102 +63,93 @@ struct Renderer::State {
     bool timing = false;
 
     /// The state of another plan and its objects, made beside those of this one.
-    Result<State> with(Description other, const CompileOptions& options,
-                       const SceneTraits& scene) const;
+    Result<State> with(Description other, const CompileOptions& with_options,
+                       const SceneTraits& scene) const
+    {
+        Result<Plan> plan = compile(other, scene, device->caps(), with_options);
+        if (!plan) return plan.diagnostics();
+        auto made = Execution::create(*device, std::move(*plan), execution.get());
+        if (!made) return made.diagnostics();
+        if (timing) (void)(*made)->setTiming(true);
+        return {
+            State{device, loaded, std::move(other), with_options, scene, std::move(*made), timing},
+            plan.diagnostics()};
+    }
 
     /// Compiles the programs of all levels, so that setting one compiles none. Warns of what fails.
-    Diagnostics prepareLevels();
-
-    /// Whether the plan's formats are those chosen for such a scene. Allocates nothing.
-    bool formatsHold(const SceneTraits& scene) const;
-
-    /// Makes this fit the frame, or leaves it where that fails. A new plan's warnings come back.
-    Status prepare(const Frame& frame);
-
-    /// Becomes `with` its arguments, or stays where that fails.
-    Status replan(Description other, const CompileOptions& options);
-};
-
-auto Renderer::State::with(Description other, const CompileOptions& with_options,
-                           const SceneTraits& scene) const -> Result<State>
-{
-    Result<Plan> plan = compile(other, scene, device->caps(), with_options);
-    if (!plan) return plan.diagnostics();
-    auto made = Execution::create(*device, std::move(*plan), execution.get());
-    if (!made) return made.diagnostics();
-    if (timing) (void)(*made)->setTiming(true);
-    return {State{device, loaded, std::move(other), with_options, scene, std::move(*made), timing},
-            plan.diagnostics()};
-}
-
-Diagnostics Renderer::State::prepareLevels()
-{
-    Diagnostics warnings;
-    for (std::size_t i = 0; i < description.features.size(); ++i) {
-        const FeatureDesc& feature = description.features[i];
-        // The present word too: its values may have been set otherwise since.
-        for (std::size_t word = 0; !feature.sets.empty() && word < feature.values.size(); ++word) {
-            Description level = description;
-            level.features[i].value = static_cast<int>(word);
-            applyLevel(level, feature.name);
-            const Result<Plan> plan = compile(level, traits, device->caps(), options);
-            const Status ready = plan ? execution->prepare(*plan) : plan.diagnostics();
-            for (Diagnostic each : ready ? Diagnostics() : ready.diagnostics()) {
-                each.message = feature.name + " '" + feature.values[word] + "': " + each.message;
-                each.severity = Severity::warning;
-                warnings.push_back(std::move(each));
+    Diagnostics prepareLevels()
+    {
+        Diagnostics warnings;
+        for (std::size_t i = 0; i < description.features.size(); ++i) {
+            const FeatureDesc& feature = description.features[i];
+            // The present word too: its values may have been set otherwise since.
+            for (std::size_t word = 0; !feature.sets.empty() && word < feature.values.size();
+                 ++word) {
+                Description level = description;
+                level.features[i].value = static_cast<int>(word);
+                applyLevel(level, feature.name);
+                const Result<Plan> plan = compile(level, traits, device->caps(), options);
+                const Status ready = plan ? execution->prepare(*plan) : plan.diagnostics();
+                for (Diagnostic each : ready ? Diagnostics() : ready.diagnostics()) {
+                    each.message =
+                        feature.name + " '" + feature.values[word] + "': " + each.message;
+                    warnings.push_back(asWarning(std::move(each)));
+                }
             }
         }
+        return warnings;
     }
-    return warnings;
-}
 
-bool Renderer::State::formatsHold(const SceneTraits& scene) const
-{
-    const Plan& plan = execution->plan();
-    return allOf(plan.targets, [&](const PlanTarget& target) {
-        const TargetDesc& desc = *findNamed(description.targets, target.name);
-        return chooseFormat(description, desc, scene, device->caps(), options.extent.height) ==
-               plan.textures[target.texture].format;
-    });
-}
+    /// Whether the plan's formats are those chosen for such a scene. Allocates nothing.
+    bool formatsHold(const SceneTraits& scene) const
+    {
+        const Plan& plan = execution->plan();
+        return allOf(plan.targets, [&](const PlanTarget& target) {
+            const TargetDesc& desc = *findNamed(description.targets, target.name);
+            return chooseFormat(description, desc, scene, device->caps(), options.extent.height) ==
+                   plan.textures[target.texture].format;
+        });
+    }
 
-Status Renderer::State::prepare(const Frame& frame)
-{
-    if (Status status = checkFrame(frame); !status) return status;
-    if (options.strict) {
-        Diagnostics errors = warnElided(frame, *device);
-        for (Diagnostic& error : errors) {
-            error.severity = Severity::error;
-            error.message = "the frame cannot be drawn whole: " + error.message;
+    /// Makes this fit the frame, or leaves it where that fails. A new plan's warnings come back.
+    Status prepare(const Frame& frame)
+    {
+        if (Status status = checkFrame(frame); !status) return status;
+        if (options.strict) {
+            Diagnostics errors = warnElided(frame, *device);
+            for (Diagnostic& error : errors) {
+                error.severity = Severity::error;
+                error.message = "the frame cannot be drawn whole: " + error.message;
+            }
+            if (!errors.empty()) return errors;
         }
-        if (!errors.empty()) return errors;
+        SceneTraits scene = steadyTraitsOf(frame);
+        if (scene == traits) return execution->setImports(frame);
+        scene.draws = rangeOf(frame.draws, frame.camera);
+        SceneTraits moved = traits;
+        moved.camera = scene.camera;
+        if (moved == scene && formatsHold(scene)) {  // histories go on
+            if (Status status = execution->setImports(frame); !status) return status;
+            traits = scene;
+            return compile(description, traits, device->caps(), options).diagnostics();
+        }
+        Result<State> next = with(description, options, scene);
+        if (!next) return next.diagnostics();
+        if (Status status = next->execution->setImports(frame); !status) return status;
+        *this = std::move(*next);
+        Diagnostics all = next.diagnostics();
+        append(all, prepareLevels());
+        return all;
     }
-    SceneTraits scene = steadyTraitsOf(frame);
-    if (scene == traits) return execution->setImports(frame);
-    scene.draws = rangeOf(frame.draws, frame.camera);
-    SceneTraits moved = traits;
-    moved.camera = scene.camera;
-    if (moved == scene && formatsHold(scene)) {  // histories go on
-        if (Status status = execution->setImports(frame); !status) return status;
-        traits = scene;
-        return compile(description, traits, device->caps(), options).diagnostics();
-    }
-    Result<State> next = with(description, options, scene);
-    if (!next) return next.diagnostics();
-    if (Status status = next->execution->setImports(frame); !status) return status;
-    *this = std::move(*next);
-    Diagnostics all = next.diagnostics();
-    append(all, prepareLevels());
-    return all;
-}
 
-Status Renderer::State::replan(Description other, const CompileOptions& with_options)
-{
-    Result<State> next = with(std::move(other), with_options, traits);
-    if (next) *this = std::move(*next);
-    return next.diagnostics();
-}
+    /// Becomes `with` its arguments, or stays where that fails.
+    Status replan(Description other, const CompileOptions& with_options)
+    {
+        Result<State> next = with(std::move(other), with_options, traits);
+        if (next) *this = std::move(*next);
+        return next.diagnostics();
+    }
+};
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
@@ -228,13 +218,11 @@ Status Renderer::setTiming(bool on)
     state_->timing = on;
     if (state_->execution->setTiming(on) || !on) return {};
     const DeviceCaps& caps = state_->device->caps();
-    Diagnostic warning{Code::no_timers,
-                       caps.timers ? "the plan's views have more than " +
-                                         std::to_string(kMaxFrameTimers) + " passes together"
-                                   : "'" + caps.name + "' has no timer that can be trusted",
-                       "time with renderTimed, which waits for each pass and takes the clock"};
-    warning.severity = Severity::warning;
-    return warning;
+    return asWarning({Code::no_timers,
+                      caps.timers ? "the plan's views have more than " +
+                                        std::to_string(kMaxFrameTimers) + " passes together"
+                                  : "'" + caps.name + "' has no timer that can be trusted",
+                      "time with renderTimed, which waits for each pass and takes the clock"});
 }
 
 const FrameTimes* Renderer::times() const { return state_->execution->times(); }

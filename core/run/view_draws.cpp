@@ -113,12 +113,12 @@ void DrawWarnings::look(const FrameHistory& two_ago, const FrameHistory& last,
     turns = turned ? turns + 1 : 0;
     if (turns < kTurns) return;
     remembers_ = false;
-    found_.push_back({Code::bad_input,
-                      "two cameras take turns with the history of '" + plan_.config +
-                          "', so that each sees some of the other's occlusion",
-                      "make an effect for each camera, or draw them as views of one frame, by "
-                      "Frame::other_views"});
-    found_.back().severity = Severity::warning;
+    found_.push_back(
+        asWarning({Code::bad_input,
+                   "two cameras take turns with the history of '" + plan_.config +
+                       "', so that each sees some of the other's occlusion",
+                   "make an effect for each camera, or draw them as views of one frame, by "
+                   "Frame::other_views"}));
 }
 
 void DrawWarnings::add(const PlanPass& pass, const std::vector<UniformInfo>& active)
@@ -168,9 +168,8 @@ void DrawWarnings::warnOfLack(Reader& reader, const ObjectInfo& mesh, const char
 Diagnostic& DrawWarnings::warn(Reader& reader, Code code, std::string message, const char* help)
 {
     const PlanProgram& program = plan_.programs[std::exchange(reader, nullptr)->program];
-    found_.push_back({code, std::move(message), help, program.place, program.pointer});
-    found_.back().severity = Severity::warning;
-    return found_.back();
+    return found_.emplace_back(
+        asWarning({code, std::move(message), help, program.place, program.pointer}));
 }
 
 }  // namespace crevice

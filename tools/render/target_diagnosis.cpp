@@ -153,10 +153,8 @@ const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& he
 Diagnostic constantOutput(const Description& description, const std::string& output,
                           const std::string& pass, const std::string& value)
 {
-    Diagnostic warning = about(description, pass, Code::output_constant,
-                               "output '" + output + "' is " + value + " everywhere");
-    warning.severity = Severity::warning;
-    return warning;
+    return asWarning(about(description, pass, Code::output_constant,
+                           "output '" + output + "' is " + value + " everywhere"));
 }
 
 /// From the upper left on, row by row.

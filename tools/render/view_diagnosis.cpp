@@ -35,9 +35,9 @@ std::optional<Diagnostic> constantByPlan(const Plan& plan)
     const PlanOutput* output = findNamed(plan.outputs, "ao");
     if (!output || output->constant < 0) return std::nullopt;
     const float value = plan.constants[output->constant];
-    return warningOf(Code::output_constant,
-                     "the ambient occlusion is " + shortest(value) + " everywhere",
-                     whyPlanned(plan));
+    return asWarning({Code::output_constant,
+                      "the ambient occlusion is " + shortest(value) + " everywhere",
+                      whyPlanned(plan)});
 }
 
 bool isConstant(const Image& image)
@@ -68,10 +68,10 @@ Diagnostic nothingSeen(const Scene& scene, Extent extent)
 {
     const SceneCamera framing = frameScene(scene, double(extent.width) / extent.height);
     const glm::dvec3 eye = glm::inverse(framing.view_from_world)[3];
-    return warningOf(Code::nothing_seen,
-                     "the camera sees no surface of the scene '" + scene.name + "'",
-                     "try --camera 'eye=" + figure(eye.x) + "," + figure(eye.y) + "," +
-                         figure(eye.z) + "', from where all of it is seen");
+    return asWarning({Code::nothing_seen,
+                      "the camera sees no surface of the scene '" + scene.name + "'",
+                      "try --camera 'eye=" + figure(eye.x) + "," + figure(eye.y) + "," +
+                          figure(eye.z) + "', from where all of it is seen"});
 }
 
 }  // namespace
@@ -100,13 +100,14 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
     const std::string help = "try --set " + radius->name + "=" + figure(shown);
     const bool constant = ao && isConstant(*ao);
     if (constant && !isFlat(bounds))
-        return {warningOf(
-            Code::output_constant,
-            "the ambient occlusion is " + shortest(ao->pixels[0]) + " everywhere: " + size, help)};
+        return {asWarning(
+            {Code::output_constant,
+             "the ambient occlusion is " + shortest(ao->pixels[0]) + " everywhere: " + size,
+             help})};
     if (now * unit_px < kLeastRadiusPixels)
-        return {warningOf(Code::out_of_range, size + ", where no ambient occlusion shows", help)};
+        return {asWarning({Code::out_of_range, size + ", where no ambient occlusion shows", help})};
     if (now * unit_px > plan.extent.height)
-        return {warningOf(Code::out_of_range, size + ", more than the view is high", help)};
+        return {asWarning({Code::out_of_range, size + ", more than the view is high", help})};
     return {};
 }
 

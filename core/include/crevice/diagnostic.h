@@ -39,6 +39,13 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// The same as a warning.
+inline Diagnostic asWarning(Diagnostic diagnostic)
+{
+    diagnostic.severity = Severity::warning;
+    return diagnostic;
+}
+
 /// True when any of them is an error and not a warning.
 bool hasErrors(const Diagnostics& diagnostics);
 

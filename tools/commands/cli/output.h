@@ -25,12 +25,6 @@ enum ExitCode {
     kExitInterrupted = 130,  ///< `bench`: stopped by SIGINT or SIGTERM; can go on.
 };
 
-/// A diagnostic that is no error.
-inline Diagnostic warningOf(Code code, std::string message, std::string help)
-{
-    return {code, std::move(message), std::move(help), {}, {}, {}, Severity::warning};
-}
-
 /// The exit code that stands for the first error; kExitOk when there are only warnings.
 int exitCodeOf(const Diagnostics& diagnostics);
 

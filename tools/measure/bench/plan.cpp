@@ -65,7 +65,21 @@ public:
     {
     }
 
-    void addScene(const std::string& name, const std::vector<Extent>& extents);
+    void addScene(const std::string& name, const std::vector<Extent>& extents)
+    {
+        Result<Scene> loaded = loadScene(name, options_.import);
+        collect(loaded.diagnostics());
+        std::shared_ptr<const Scene> scene;
+        if (loaded) scene = std::make_shared<const Scene>(std::move(*loaded));
+        for (const Extent extent : extents) {
+            Place place = {name, extent, {}};
+            if (scene)
+                addView(scene, place);
+            else
+                place.failure = failureText(loaded.diagnostics());
+            addConfigs(std::move(place));
+        }
+    }
 
     BenchPlan plan;
 
@@ -77,16 +91,148 @@ private:
         double radius = 0;    ///< 0: the config's own.
     };
 
-    void addView(const std::shared_ptr<const Scene>& scene, Place& place);
-    void addConfigs(Place place);
-    void addConfig(const Place& place, const std::string& config);
+    void addView(const std::shared_ptr<const Scene>& scene, Place& place)
+    {
+        const Bounds bounds = scene->bounds();
+        const double aspect = static_cast<double>(place.extent.width) / place.extent.height;
+        const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options_.camera, aspect);
+        collect(camera.diagnostics());
+        if (camera)
+            plan.views.push_back({scene, bounds, *camera, place.extent});
+        else
+            place.failure = failureText(camera.diagnostics());
+    }
+
+    void addConfigs(Place place)
+    {
+        const std::vector<double> radii =
+            options_.radii.empty() ? std::vector<double>{0.0} : options_.radii;
+        const std::vector<std::string> configs =
+            options_.configs.empty() ? configNames(sources_) : options_.configs;
+        for (const double radius : radii) {
+            place.radius = radius;
+            for (const std::string& config : configs) addConfig(place, config);
+        }
+    }
+
+    void addConfig(const Place& place, const std::string& config)
+    {
+        std::vector<std::string> overrides = options_.overrides;
+        const Result<LoadedConfig> loaded =
+            loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
+        if (!loaded) return addTask(place, config, overrides);
+        const Description& description = loaded->description;
+        if (place.radius > 0.0) {
+            if (findNamed(description.params, "radius"))
+                overrides.push_back("radius=" + shortest(place.radius));
+            else
+                note("'" + config +
+                     "' has no param 'radius': --radius sets that of the ground truth alone");
+        }
+        for (const std::vector<std::string>& samples : sampleOverrides(config, description)) {
+            std::vector<std::string> all = overrides;
+            all.insert(all.end(), samples.begin(), samples.end());
+            addTask(place, config, std::move(all));
+        }
+    }
+
+    /// What to set for each count of the sweep that the config can take; nothing for its own.
     std::vector<std::vector<std::string>> sampleOverrides(const std::string& config,
-                                                          const Description& description);
-    void addTask(const Place& place, const std::string& config, std::vector<std::string> overrides);
-    Status describe(const Place& place, const LoadedConfig& loaded, BenchTask& task);
-    const std::string& referenceOf(double radius);
-    void note(const std::string& message);
-    void collect(const Diagnostics& diagnostics);
+                                                          const Description& description)
+    {
+        if (options_.samples.empty()) return {{}};
+        if (samplesOf(description) == 0) {
+            note("'" + config +
+                 "' has no param 'samples', nor 'slices' and 'steps': it is measured once");
+            return {{}};
+        }
+        std::vector<std::vector<std::string>> all;
+        for (const int count : options_.samples) {
+            std::vector<std::string> overrides = overridesFor(description, count);
+            if (!overrides.empty())
+                all.push_back(std::move(overrides));
+            else
+                note(std::to_string(count) + " samples are outside the ranges of '" + config +
+                     "' and left out");
+        }
+        return all;
+    }
+
+    void addTask(const Place& place, const std::string& config, std::vector<std::string> overrides)
+    {
+        BenchTask task;
+        BenchSample& sample = task.sample;
+        sample.config = config;
+        sample.output = options_.output;
+        sample.disable = options_.disable;
+        sample.family = config;
+        for (const std::string& text : options_.overrides) sample.family += " " + text;
+        sample.family += nameSuffix(sample);
+        sample.scene = place.scene;
+        sample.camera = options_.camera;
+        sample.extent = place.extent;
+        sample.rays = options_.rays;
+        sample.version = options_.version;
+        sample.failure = place.failure;
+        if (place.failure.empty()) {
+            const BenchView& view = plan.views.back();
+            task.view = plan.views.size() - 1;
+            if (sample.camera.empty()) sample.camera = view.camera.name;
+            sample.triangles = triangleCount(*view.scene);
+        }
+
+        const Result<LoadedConfig> loaded =
+            loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
+        const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
+        if (!known && sample.failure.empty()) sample.failure = failureText(known.diagnostics());
+
+        sample.key = keyOf(task, place.radius, overrides, loaded ? loaded->content : std::string(),
+                           options_.motion);
+        sample.overrides = std::move(overrides);
+        if (keys_.insert(sample.key).second) plan.tasks.push_back(std::move(task));
+    }
+
+    /// What the loaded config says about the sample.
+    Status describe(const Place& place, const LoadedConfig& loaded, BenchTask& task)
+    {
+        const std::vector<OutputDesc>& outputs = loaded.description.outputs;
+        if (!outputs.empty() && !findNamed(outputs, options_.output))
+            return Diagnostic{Code::output_missing,
+                              "'" + task.sample.config + "' exports no output '" + options_.output +
+                                  "': give --output " + joined(namesOf(outputs), " or ")};
+        const ParamDesc* radius = findNamed(loaded.description.params, "radius");
+        task.sample.samples = samplesOf(loaded.description);
+        task.sample.radius = place.radius > 0.0 ? place.radius : radius ? radius->value[0] : 0.0;
+        if (place.radius <= 0.0 && !radius)
+            return Diagnostic{
+                Code::unknown_param,
+                "the config has no param 'radius', so --radius must give the ground truth's"};
+        if (place.failure.empty()) task.reference = referenceOf(task.sample.radius);
+        task.description = loaded.description;
+        return {};
+    }
+
+    /// The ground truth's key for the newest view. Hashing a large scene is slow, so once a radius
+    /// must do.
+    const std::string& referenceOf(double radius)
+    {
+        std::string& key = references_[{plan.views.size(), radius}];
+        if (!key.empty()) return key;
+        const BenchView& view = plan.views.back();
+        TraceOptions trace;
+        trace.radius = radius;
+        trace.rays = options_.rays;
+        return key = referenceKey(*view.scene, view.matrices(), view.extent, trace);
+    }
+
+    void note(const std::string& message) { collect({asWarning({Code::out_of_range, message})}); }
+
+    /// Once each.
+    void collect(const Diagnostics& diagnostics)
+    {
+        for (const Diagnostic& each : diagnostics)
+            if (told_.insert(toText(each)).second) plan.diagnostics.push_back(each);
+    }
 
     const BenchOptions& options_;
     const SourceSet& sources_;
@@ -94,171 +240,6 @@ private:
     std::set<std::string> keys_;
     std::map<std::pair<std::size_t, double>, std::string> references_;
 };
-
-void Planner::note(const std::string& message)
-{
-    Diagnostic warning{Code::out_of_range, message};
-    warning.severity = Severity::warning;
-    collect({warning});
-}
-
-/// Once each.
-void Planner::collect(const Diagnostics& diagnostics)
-{
-    for (const Diagnostic& each : diagnostics)
-        if (told_.insert(toText(each)).second) plan.diagnostics.push_back(each);
-}
-
-void Planner::addScene(const std::string& name, const std::vector<Extent>& extents)
-{
-    Result<Scene> loaded = loadScene(name, options_.import);
-    collect(loaded.diagnostics());
-    std::shared_ptr<const Scene> scene;
-    if (loaded) scene = std::make_shared<const Scene>(std::move(*loaded));
-    for (const Extent extent : extents) {
-        Place place = {name, extent, {}};
-        if (scene)
-            addView(scene, place);
-        else
-            place.failure = failureText(loaded.diagnostics());
-        addConfigs(std::move(place));
-    }
-}
-
-void Planner::addView(const std::shared_ptr<const Scene>& scene, Place& place)
-{
-    const Bounds bounds = scene->bounds();
-    const double aspect = static_cast<double>(place.extent.width) / place.extent.height;
-    const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options_.camera, aspect);
-    collect(camera.diagnostics());
-    if (camera)
-        plan.views.push_back({scene, bounds, *camera, place.extent});
-    else
-        place.failure = failureText(camera.diagnostics());
-}
-
-void Planner::addConfigs(Place place)
-{
-    const std::vector<double> radii =
-        options_.radii.empty() ? std::vector<double>{0.0} : options_.radii;
-    const std::vector<std::string> configs =
-        options_.configs.empty() ? configNames(sources_) : options_.configs;
-    for (const double radius : radii) {
-        place.radius = radius;
-        for (const std::string& config : configs) addConfig(place, config);
-    }
-}
-
-void Planner::addConfig(const Place& place, const std::string& config)
-{
-    std::vector<std::string> overrides = options_.overrides;
-    const Result<LoadedConfig> loaded =
-        loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
-    if (!loaded) return addTask(place, config, overrides);
-    const Description& description = loaded->description;
-    if (place.radius > 0.0) {
-        if (findNamed(description.params, "radius"))
-            overrides.push_back("radius=" + shortest(place.radius));
-        else
-            note("'" + config +
-                 "' has no param 'radius': --radius sets that of the ground truth alone");
-    }
-    for (const std::vector<std::string>& samples : sampleOverrides(config, description)) {
-        std::vector<std::string> all = overrides;
-        all.insert(all.end(), samples.begin(), samples.end());
-        addTask(place, config, std::move(all));
-    }
-}
-
-/// What to set for each count of the sweep that the config can take; nothing for its own.
-std::vector<std::vector<std::string>> Planner::sampleOverrides(const std::string& config,
-                                                               const Description& description)
-{
-    if (options_.samples.empty()) return {{}};
-    if (samplesOf(description) == 0) {
-        note("'" + config +
-             "' has no param 'samples', nor 'slices' and 'steps': it is measured once");
-        return {{}};
-    }
-    std::vector<std::vector<std::string>> all;
-    for (const int count : options_.samples) {
-        std::vector<std::string> overrides = overridesFor(description, count);
-        if (!overrides.empty())
-            all.push_back(std::move(overrides));
-        else
-            note(std::to_string(count) + " samples are outside the ranges of '" + config +
-                 "' and left out");
-    }
-    return all;
-}
-
-/// The ground truth's key for the newest view. Hashing a large scene is slow, so once a radius must
-/// do.
-const std::string& Planner::referenceOf(double radius)
-{
-    std::string& key = references_[{plan.views.size(), radius}];
-    if (!key.empty()) return key;
-    const BenchView& view = plan.views.back();
-    TraceOptions trace;
-    trace.radius = radius;
-    trace.rays = options_.rays;
-    return key = referenceKey(*view.scene, view.matrices(), view.extent, trace);
-}
-
-/// What the loaded config says about the sample.
-Status Planner::describe(const Place& place, const LoadedConfig& loaded, BenchTask& task)
-{
-    const std::vector<OutputDesc>& outputs = loaded.description.outputs;
-    if (!outputs.empty() && !findNamed(outputs, options_.output))
-        return Diagnostic{Code::output_missing, "'" + task.sample.config + "' exports no output '" +
-                                                    options_.output + "': give --output " +
-                                                    joined(namesOf(outputs), " or ")};
-    const ParamDesc* radius = findNamed(loaded.description.params, "radius");
-    task.sample.samples = samplesOf(loaded.description);
-    task.sample.radius = place.radius > 0.0 ? place.radius : radius ? radius->value[0] : 0.0;
-    if (place.radius <= 0.0 && !radius)
-        return Diagnostic{
-            Code::unknown_param,
-            "the config has no param 'radius', so --radius must give the ground truth's"};
-    if (place.failure.empty()) task.reference = referenceOf(task.sample.radius);
-    task.description = loaded.description;
-    return {};
-}
-
-void Planner::addTask(const Place& place, const std::string& config,
-                      std::vector<std::string> overrides)
-{
-    BenchTask task;
-    BenchSample& sample = task.sample;
-    sample.config = config;
-    sample.output = options_.output;
-    sample.disable = options_.disable;
-    sample.family = config;
-    for (const std::string& text : options_.overrides) sample.family += " " + text;
-    sample.family += nameSuffix(sample);
-    sample.scene = place.scene;
-    sample.camera = options_.camera;
-    sample.extent = place.extent;
-    sample.rays = options_.rays;
-    sample.version = options_.version;
-    sample.failure = place.failure;
-    if (place.failure.empty()) {
-        const BenchView& view = plan.views.back();
-        task.view = plan.views.size() - 1;
-        if (sample.camera.empty()) sample.camera = view.camera.name;
-        sample.triangles = triangleCount(*view.scene);
-    }
-
-    const Result<LoadedConfig> loaded =
-        loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
-    const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
-    if (!known && sample.failure.empty()) sample.failure = failureText(known.diagnostics());
-
-    sample.key = keyOf(task, place.radius, overrides, loaded ? loaded->content : std::string(),
-                       options_.motion);
-    sample.overrides = std::move(overrides);
-    if (keys_.insert(sample.key).second) plan.tasks.push_back(std::move(task));
-}
 
 }  // namespace
 

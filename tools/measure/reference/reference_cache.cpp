@@ -74,11 +74,9 @@ std::optional<Image> readKept(const std::string& file, const std::string& key, E
     const std::string_view pfm = std::string_view(kept.bytes).substr(0, end);
     if (kept && kept.bytes.substr(end) == checksum(pfm, key))
         if (Result<Image> image = decodeImage(pfm, file)) return std::move(*image);
-    Diagnostic warning{Code::image_broken,
-                       "the cached reference '" + file + "' is not as it was written",
-                       "it is traced again"};
-    warning.severity = Severity::warning;
-    warnings.push_back(std::move(warning));
+    warnings.push_back(asWarning({Code::image_broken,
+                                  "the cached reference '" + file + "' is not as it was written",
+                                  "it is traced again"}));
     return std::nullopt;
 }
 

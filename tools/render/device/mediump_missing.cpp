@@ -25,9 +25,7 @@ bool canRewriteMediump() { return false; }
 
 Diagnostics warnUnchecked()
 {
-    Diagnostic warning = missing("this build does not compile shaders to check them");
-    warning.severity = Severity::warning;
-    return {warning};
+    return {asWarning(missing("this build does not compile shaders to check them"))};
 }
 
 void GlslCheck::add(const Plan&, const std::string&) {}

@@ -30,9 +30,9 @@ Result<OpenDevice> openFirst(const GlDeviceOptions& options)
     if (!osmesa) return both;
     Diagnostics warnings = osmesa.diagnostics();
     warnings.push_back(
-        warningOf(Code::no_egl,
-                  "EGL cannot be used (" + both.front().message + "); drawing with OSMesa instead",
-                  "write --backend osmesa to choose it without this warning"));
+        asWarning({Code::no_egl,
+                   "EGL cannot be used (" + both.front().message + "); drawing with OSMesa instead",
+                   "write --backend osmesa to choose it without this warning"}));
     return {std::move(*osmesa), std::move(warnings)};
 }
 

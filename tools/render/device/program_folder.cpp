@@ -43,8 +43,8 @@ ProgramCache ProgramFolder::cache()
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         const Status written = writeFile((fs::path(path_) / key).string(), text);
         if (written || !warnings_.empty()) return;
-        warnings_ = {warningOf(Code::cannot_write, written.diagnostics().front().message,
-                               "what is not written is compiled again next time")};
+        warnings_ = {asWarning({Code::cannot_write, written.diagnostics().front().message,
+                                "what is not written is compiled again next time"})};
     };
     return {load, store};
 }

@@ -264,10 +264,8 @@ Status writePng(const std::string& path, const Image& image)
         return cannotWrite(path, "there is not enough memory");
     Status status = writeFile(path, bytes);
     if (!status || !undefined) return status;
-    Diagnostic warning = {Code::not_finite, "'" + path + "' has pixels that are not a number",
-                          "they are written as 0; PFM keeps them"};
-    warning.severity = Severity::warning;
-    return warning;
+    return asWarning({Code::not_finite, "'" + path + "' has pixels that are not a number",
+                      "they are written as 0; PFM keeps them"});
 }
 
 std::string pfmBytes(const Image& image)

@@ -80,10 +80,9 @@ void warnUnwritten(const PlanProgram& program, Diagnostics& warnings)
             uses +=
                 text.compare(text.find_first_not_of(' ', at + output.name.size()), 2, "==") != 0;
         if (uses > 1) continue;
-        warnings.push_back({Code::output_mismatch,
-                            "'" + output.name + "' is an output, and nothing writes it",
-                            "write " + output.name + " = ...;", output.place, program.pointer});
-        warnings.back().severity = Severity::warning;
+        warnings.push_back(asWarning(
+            {Code::output_mismatch, "'" + output.name + "' is an output, and nothing writes it",
+             "write " + output.name + " = ...;", output.place, program.pointer}));
     }
 }
 

@@ -61,12 +61,10 @@ json picturesOf(const std::vector<BenchSample>& samples, Diagnostics& warnings)
             const std::string uri = pictureUri(path, sample.folder);
             found[path] = uri;
             if (!uri.empty()) continue;
-            Diagnostic warning{
-                Code::image_broken,
-                "the picture '" + path + "' is no PNG below the folder of its results file",
-                "the report leaves it out; keep pictures in the folder of their results file"};
-            warning.severity = Severity::warning;
-            warnings.push_back(std::move(warning));
+            warnings.push_back(asWarning(
+                {Code::image_broken,
+                 "the picture '" + path + "' is no PNG below the folder of its results file",
+                 "the report leaves it out; keep pictures in the folder of their results file"}));
         }
     return found;
 }

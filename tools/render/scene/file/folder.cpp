@@ -42,12 +42,12 @@ void SceneFolder::opens(const fs::path& file)
 Diagnostic SceneFolder::warning() const
 {
     const std::vector<std::string> files(refused_.begin(), refused_.end());
-    return warningOf(Code::module_escape,
-                     "the scene '" + scene_ +
-                         "' names files outside its "
-                         "folder, which are not read: " +
-                         joined(files),
-                     "move them below the scene's folder, or allow theirs with --root FOLDER");
+    return asWarning({Code::module_escape,
+                      "the scene '" + scene_ +
+                          "' names files outside its "
+                          "folder, which are not read: " +
+                          joined(files),
+                      "move them below the scene's folder, or allow theirs with --root FOLDER"});
 }
 
 }  // namespace crevice

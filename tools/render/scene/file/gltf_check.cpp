@@ -272,10 +272,10 @@ Status checkGltf(const std::string& path, bool any_version)
         elided.push_back("texture coordinates that are not floats");
     if (takesSecondCoordinates(gltf)) elided.push_back("the second set of texture coordinates");
     if (elided.empty()) return {};
-    return warningOf(
-        Code::scene_features, "the scene '" + path + "' is drawn without " + joined(elided),
-        "ambient occlusion needs none of it where surfaces and holes in them are right; compare "
-        "the picture with another viewer's");
+    return asWarning(
+        {Code::scene_features, "the scene '" + path + "' is drawn without " + joined(elided),
+         "ambient occlusion needs none of it where surfaces and holes in them are right; compare "
+         "the picture with another viewer's"});
 }
 
 }  // namespace crevice

@@ -324,10 +324,10 @@ Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options
     limitSelf(readerLimits(kAnySize, options));  // what follows is our own, and bounded
 
     if (dropped > 0)
-        warnings.push_back(warningOf(Code::not_finite,
-                                     "the scene '" + path + "' has " + std::to_string(dropped) +
-                                         " faces with vertices that are not finite",
-                                     "they are left out"));
+        warnings.push_back(asWarning({Code::not_finite,
+                                      "the scene '" + path + "' has " + std::to_string(dropped) +
+                                          " faces with vertices that are not finite",
+                                      "they are left out"}));
     Scene result = sceneFrom(*scene, path, folder, warnings);
     if (folder.refusedAny()) warnings.push_back(folder.warning());
     if (!hasArea(result)) return noTriangle(path, dropped);
