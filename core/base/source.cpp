@@ -197,8 +197,7 @@ std::vector<std::string> filesBelow(const std::string& folder,
         const std::string path = at->path().lexically_relative(folder).generic_string();
         const auto ends = [&path](std::string_view ending) { return endsWith(path, ending); };
         std::error_code unreadable;  // an entry that cannot be looked at is left out
-        if (std::any_of(endings.begin(), endings.end(), ends) && at->is_regular_file(unreadable))
-            files.push_back(path);
+        if (anyOf(endings, ends) && at->is_regular_file(unreadable)) files.push_back(path);
         at.increment(error);
     }
     return files;
@@ -220,7 +219,7 @@ bool isBelow(const std::string& path, const std::vector<std::string>& folders)
     if (path.find('\0') != std::string::npos)
         return false;  // the system would read less of it than is checked
     const fs::path file = resolved(path);
-    return std::any_of(folders.begin(), folders.end(), [&file](const std::string& folder) {
+    return anyOf(folders, [&file](const std::string& folder) {
         if (folder.empty()) return false;
         const fs::path below = file.lexically_relative(resolved(folder));
         return !below.empty() && *below.begin() != "..";

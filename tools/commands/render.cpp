@@ -164,7 +164,7 @@ Diagnostics checkPicture(Session& session, const SceneView& view,
 void showSummary(const RenderOptions& options, Session& session, const SceneView& view,
                  const std::vector<Picture>& pictures, double ms, Diagnostics warnings)
 {
-    const bool unfilled = std::any_of(warnings.begin(), warnings.end(), [](const Diagnostic& each) {
+    const bool unfilled = anyOf(warnings, [](const Diagnostic& each) {
         return each.code == Code::unfilled_block;  // which explains the picture, as no radius does
     });
     if (!unfilled) append(warnings, checkPicture(session, view, pictures));

@@ -4,6 +4,7 @@
 #include <crevice/shipped.h>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "tools/commands/cli/config_options.h"
 #include "tools/render/image/image_file.h"
 
@@ -87,8 +88,7 @@ Result<HostTextures> HostTextures::make(Device& device, const Description& descr
                                         Extent extent, const Frame& scene)
 {
     const std::vector<ImportDesc>& imports = description.imports;
-    if (std::none_of(imports.begin(), imports.end(),
-                     [&](const ImportDesc& each) { return lacks(scene, each); }))
+    if (!anyOf(imports, [&](const ImportDesc& each) { return lacks(scene, each); }))
         return HostTextures();
     Result<Description> host = loadDescription({kHostModule, {}, {}, {}}, shippedSources());
     if (!host) return host.diagnostics();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/read_output.h"
 
+#include "core/base/text.h"
+
 #include <crevice/shipped.h>
 
 #include <glm/matrix.hpp>
@@ -13,8 +15,8 @@ namespace crevice {
 
 bool remembers(const Plan& plan)
 {
-    return std::any_of(plan.targets.begin(), plan.targets.end(),
-                       [](const PlanTarget& target) { return target.history_texture >= 0; });
+    return anyOf(plan.targets,
+                 [](const PlanTarget& target) { return target.history_texture >= 0; });
 }
 
 Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name, int view)

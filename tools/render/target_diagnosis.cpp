@@ -55,8 +55,7 @@ std::string whyUndefined(const PlanPass& pass, const TargetHealth& health)
     const auto cleared = [&](const PlanAttachment& each) {
         return each.name == health.target && each.load == LoadOp::clear;
     };
-    const bool clears =
-        std::any_of(pass.color.begin(), pass.color.end(), cleared) || cleared(pass.depth);
+    const bool clears = anyOf(pass.color, cleared) || cleared(pass.depth);
     if (pass.type == PassType::draw && !clears)
         return "a draw covers only what its triangles cover: add \"clear\": {\"" + health.target +
                "\": 0} to the pass";

@@ -15,7 +15,7 @@ TEST_CASE("Every config of the corpus gets one error, with its place and the way
         const auto warning = [](const Diagnostic& each) {
             return each.severity != Severity::error;
         };
-        reported.erase(std::remove_if(reported.begin(), reported.end(), warning), reported.end());
+        eraseIf(reported, warning);
         INFO(config.name);
         checkReported(config, reported);
         CHECK_FALSE(reported[0].help.empty());

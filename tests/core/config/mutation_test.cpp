@@ -189,7 +189,7 @@ bool concerns(const Diagnostic& reported, const Mutation& mutation)
     for (const Note& note : reported.notes)
         if (inside(note.place)) return true;
     const std::string text = lowerCase(reported.message + " " + reported.pointer);
-    return std::any_of(mutation.names.begin(), mutation.names.end(), [&](const std::string& name) {
+    return anyOf(mutation.names, [&](const std::string& name) {
         return !name.empty() && text.find(lowerCase(name)) != std::string::npos;
     });
 }

@@ -61,7 +61,7 @@ bool extends(const Module& module, const Module& base, const std::vector<Module>
     const auto names = [&text](const Module& other) {
         return text.find("\"" + other.name + "\"") != std::string::npos;
     };
-    return names(base) || std::any_of(all.begin(), all.end(), [&](const Module& between) {
+    return names(base) || anyOf(all, [&](const Module& between) {
                return between.name != module.name && names(between) && extends(between, base, all);
            });
 }
@@ -70,7 +70,7 @@ bool extends(const Module& module, const Module& base, const std::vector<Module>
 bool related(const Module& one, const Module& other, const std::vector<Module>& all)
 {
     return extends(one, other, all) || extends(other, one, all) ||
-           std::any_of(all.begin(), all.end(), [&](const Module& base) {
+           anyOf(all, [&](const Module& base) {
                return extends(one, base, all) && extends(other, base, all);
            });
 }

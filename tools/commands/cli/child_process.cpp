@@ -134,8 +134,7 @@ std::vector<std::string> environmentWith(const std::vector<std::string>& variabl
     std::vector<std::string> all = variables;
     for (char** each = environ; *each; ++each) {
         const std::string name = nameOf(*each);
-        if (std::none_of(variables.begin(), variables.end(),
-                         [&](const std::string& set) { return nameOf(set) == name; }))
+        if (!anyOf(variables, [&](const std::string& set) { return nameOf(set) == name; }))
             all.push_back(*each);
     }
     return all;

@@ -162,7 +162,7 @@ Result<Candidates> findCandidates(const std::vector<BenchSample>& samples, const
                                             });
         unshared.push_back("scene " + least->name + ": nothing was measured in it and the others");
         const auto same = [&](const ResultView& view) { return view.name == least->name; };
-        in_scope.erase(std::remove_if(in_scope.begin(), in_scope.end(), same), in_scope.end());
+        eraseIf(in_scope, same);
         views.erase(least);
         candidates = {*device, std::move(views), {}, {}, {}, 0};
     }

@@ -2,7 +2,8 @@
 // Compares two benches sample by sample.
 #include "tools/measure/bench/compare.h"
 
-#include <algorithm>
+#include "core/base/text.h"
+
 #include <cmath>
 
 namespace crevice {
@@ -89,7 +90,7 @@ private:
 
 bool BenchComparison::differs() const
 {
-    return std::any_of(changes.begin(), changes.end(), [](const BenchChange& change) {
+    return anyOf(changes, [](const BenchChange& change) {
         return change.kind != BenchChange::Kind::cheaper;
     });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/measure/cost/pass_roles.h"
 
+#include "core/base/text.h"
 #include "tools/show/plan/names.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 
 bool readsTarget(const PlanPass& pass, int target)
 {
-    return std::any_of(pass.inputs.begin(), pass.inputs.end(), [&](const PlanInput& input) {
+    return anyOf(pass.inputs, [&](const PlanInput& input) {
         const bool drawn = input.kind == InputKind::target || input.kind == InputKind::history;
         return drawn && input.index == target;
     });
@@ -32,7 +33,7 @@ std::vector<bool> neededForAo(const Plan& plan)
 {
     std::vector<bool> needed(plan.passes.size(), false);
     const auto isAo = [](const PlanOutput& output) { return output.name == "ao"; };
-    const bool has_ao = std::any_of(plan.outputs.begin(), plan.outputs.end(), isAo);
+    const bool has_ao = anyOf(plan.outputs, isAo);
     for (const PlanOutput& output : plan.outputs)
         if (output.target >= 0 && (!has_ao || isAo(output)))
             markWriter(plan, output.target, needed);
@@ -89,9 +90,8 @@ std::vector<PassRole> passRoles(const Plan& plan)
             roles.push_back(PassRole::geometry);
             first = false;
         } else {
-            const bool alone = std::all_of(targets.begin(), targets.end(), [&](int target) {
-                return onlyReadBy(plan, needed, target);
-            });
+            const bool alone =
+                allOf(targets, [&](int target) { return onlyReadBy(plan, needed, target); });
             roles.push_back(alone ? PassRole::geometry_for_ao : PassRole::geometry);
         }
     }

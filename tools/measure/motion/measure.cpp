@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/measure/motion/measure.h"
 
+#include "core/base/text.h"
 #include "tools/render/read_output.h"
 
 #include <algorithm>
@@ -16,8 +17,7 @@ constexpr int kUncoveredFor[] = {1, 2, 4, 8, kFramesAfterJump};
 
 bool isFinite(const Image& image)
 {
-    return std::all_of(image.pixels.begin(), image.pixels.end(),
-                       [](float value) { return std::isfinite(value); });
+    return allOf(image.pixels, [](float value) { return std::isfinite(value); });
 }
 
 class MotionMeter {

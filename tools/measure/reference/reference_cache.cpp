@@ -4,6 +4,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "tools/render/image/image_file.h"
 
 #include <CLI/CLI.hpp>
@@ -97,8 +98,7 @@ void keep(const std::string& file, const std::string& key, const Image& image,
 
 Status checkSeen(const Image& image)
 {
-    const bool seen = std::any_of(image.pixels.begin(), image.pixels.end(),
-                                  [](float value) { return !std::isnan(value); });
+    const bool seen = anyOf(image.pixels, [](float value) { return !std::isnan(value); });
     if (seen) return {};
     return Diagnostic{
         Code::nothing_seen, "the camera sees no surface of the scene",

@@ -2,7 +2,7 @@
 // Figures of pictures.
 #include "tools/measure/stress/figures.h"
 
-#include "tools/measure/stress/limits.h"
+#include "core/base/text.h"
 #include "tools/render/image/image_metrics.h"
 #include "tools/render/image/srgb.h"
 #include "tools/render/view_diagnosis.h"
@@ -21,7 +21,7 @@ constexpr double kMiddle = 0.8;  // share of width and height that planes are ju
 
 bool isNear(const StressShot& shot, int x, int y)
 {
-    return std::any_of(shot.spoiled.begin(), shot.spoiled.end(), [&](const glm::ivec2 at) {
+    return anyOf(shot.spoiled, [&](const glm::ivec2 at) {
         return std::max(std::abs(at.x - x), std::abs(at.y - y)) <= shot.reach_px;
     });
 }

@@ -37,8 +37,8 @@ bool isOrdinary(const StressTask& task)
 
 bool drawsScene(const Description& description)
 {
-    return std::any_of(description.imports.begin(), description.imports.end(),
-                       [](const ImportDesc& each) { return each.type == ImportType::draw_list; });
+    return anyOf(description.imports,
+                 [](const ImportDesc& each) { return each.type == ImportType::draw_list; });
 }
 
 /// Why a config that was put over the shot's geometry is none; null where it is one.

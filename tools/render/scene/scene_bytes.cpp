@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/scene/scene_bytes.h"
 
+#include "core/base/text.h"
 #include "tools/render/scene/transfer.h"
 
 #include <algorithm>
@@ -28,8 +29,7 @@ bool isIndex(const List& list, int index)
 bool isSound(const MeshDesc& mesh)
 {
     return mesh.indices.size() % 3 == 0 &&
-           std::all_of(mesh.indices.begin(), mesh.indices.end(),
-                       [&](std::uint32_t index) { return index < mesh.vertices.size(); });
+           allOf(mesh.indices, [&](std::uint32_t index) { return index < mesh.vertices.size(); });
 }
 
 bool isSound(const Image& image)
@@ -81,9 +81,9 @@ Result<Scene> sceneFromBytes(std::string_view bytes)
     transfer(reader, scene);
     if (!reader.whole()) return broken("they are cut, or changed");
     if (!isSound(scene)) return broken("they refer to what is not in them");
-    const bool drawn = std::any_of(
-        scene.instances.begin(), scene.instances.end(),
-        [&](const SceneInstance& each) { return !scene.meshes[each.mesh].indices.empty(); });
+    const bool drawn = anyOf(scene.instances, [&](const SceneInstance& each) {
+        return !scene.meshes[each.mesh].indices.empty();
+    });
     if (!drawn) return Diagnostic{Code::scene_empty, "the scene has no triangle"};
     return scene;
 }

@@ -67,8 +67,7 @@ std::vector<std::string> pathsTo(const Node& document, const std::string& name)
 const Node* child(const Node& node, const std::string& part)
 {
     if (node.kind != Node::Kind::array) return node.find(part);
-    const bool number =
-        !part.empty() && part.size() < 9 && std::all_of(part.begin(), part.end(), isDigit);
+    const bool number = !part.empty() && part.size() < 9 && allOf(part, isDigit);
     const std::size_t index = number ? std::stoul(part) : node.items.size();
     return index < node.items.size() ? &node.items[index] : nullptr;
 }

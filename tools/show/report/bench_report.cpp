@@ -218,9 +218,8 @@ json reportModel(const std::vector<BenchSample>& samples)
     const std::vector<ResultView> views = benchViews(samples);
     for (const ResultView& view : views) {
         const auto main = mainViews(views, view.device);
-        const bool is_main = std::any_of(main.begin(), main.end(), [&view](const ResultView& each) {
-            return each.samples == view.samples;
-        });
+        const bool is_main =
+            anyOf(main, [&view](const ResultView& each) { return each.samples == view.samples; });
         model["views"].push_back(
             {{"device", view.device},
              {"name", view.name},

@@ -117,12 +117,11 @@ bool Site::isAskedByOurs(const SiteRequest& request) const
 {
     constexpr std::string_view kOrigin = "http://";
     return request.hosts.size() == 1 && isOurs(request.hosts.front()) &&
-           std::all_of(request.origins.begin(), request.origins.end(),
-                       [&](const std::string& origin) {
-                           return startsWith(origin, kOrigin) &&
-                                  isOurs(origin.substr(kOrigin.size()));
-                       }) &&
-           std::all_of(request.sites.begin(), request.sites.end(), [](const std::string& site) {
+           allOf(request.origins,
+                 [&](const std::string& origin) {
+                     return startsWith(origin, kOrigin) && isOurs(origin.substr(kOrigin.size()));
+                 }) &&
+           allOf(request.sites, [](const std::string& site) {
                return site == "same-origin" || site == "none";  // typed, or opened by a program
            });
 }

@@ -152,11 +152,7 @@ TEST_CASE("Stages that do not fit are refused at the input that does not")
           start + "flat out highp vec2 uv;\nvoid main() { uv = vec2(1.0);" + end}) {
         Diagnostics errors = errorsOf(fragment, vertex);
         INFO(toText(errors));
-        errors.erase(std::remove_if(errors.begin(), errors.end(),
-                                    [](const Diagnostic& each) {
-                                        return each.place.source->name != "x.frag";
-                                    }),
-                     errors.end());
+        eraseIf(errors, [](const Diagnostic& each) { return each.place.source->name != "x.frag"; });
         REQUIRE(errors.size() == 1);
         CHECK(errors[0].code == Code::shader_link);
         CHECK(placeName(errors[0].place) == "x.frag:5:9");

@@ -2,6 +2,7 @@
 // Scenes and cameras of the page.
 #include "tools/show/page/engine/stage.h"
 
+#include "core/base/text.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
 
@@ -26,9 +27,8 @@ double aspectOf(Extent extent) { return double(extent.width) / extent.height; }
 
 Status Stage::show(Scene scene)
 {
-    const bool any = std::any_of(scene.instances.begin(), scene.instances.end(), [&](auto& each) {
-        return !scene.meshes[each.mesh].indices.empty();
-    });
+    const bool any = anyOf(scene.instances,
+                           [&](auto& each) { return !scene.meshes[each.mesh].indices.empty(); });
     if (!any)
         return Diagnostic{Code::scene_empty, "the scene '" + scene.name + "' has no triangle",
                           "points and lines cast no occlusion; export the scene with its faces"};
