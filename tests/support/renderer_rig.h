@@ -8,7 +8,7 @@
 #include "tests/support/need.h"
 #include "tests/support/test_config.h"
 
-#include <string>
+#include <glm/gtc/type_ptr.hpp>
 
 namespace crevice {
 
@@ -169,6 +169,14 @@ struct Rig {
         return findNamed(renderer->description().features, name)->value;
     }
 };
+
+/// The matrix that was last sent as the uniform `name`.
+inline glm::mat4 sentMatrix(const Rig& rig, const char* name)
+{
+    const std::vector<float> values = rig.device.lastUniform(name);
+    REQUIRE(values.size() == 16);
+    return glm::make_mat4(values.data());
+}
 
 /// The code of a status' first error; Code::internal when there is none.
 inline Code codeOf(const Status& status)

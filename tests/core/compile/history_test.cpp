@@ -18,13 +18,6 @@ const char* const kKept = R"({"format": ["r8"], "history": true})";
 
 float sent(const Rig& rig, const char* name) { return rig.device.lastUniform(name).at(0); }
 
-glm::mat4 sentMatrix(const Rig& rig, const char* name)
-{
-    const std::vector<float> values = rig.device.lastUniform(name);
-    REQUIRE(values.size() == 16);
-    return glm::make_mat4(values.data());
-}
-
 bool same(const glm::mat4& a, const glm::mat4& b)
 {
     for (int i = 0; i < 16; ++i)

@@ -49,13 +49,6 @@ std::string passesAlone(const Camera& camera)
     return passesOf(rig.draw());
 }
 
-int count(const std::string& text, const std::string& part)
-{
-    int found = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
-
 /// The lines of a log that set a uniform, in their order.
 std::vector<std::string> sent(const std::string& log, const std::string& name)
 {
@@ -97,7 +90,7 @@ TEST_CASE("Two views are drawn one after the other, each as a frame of its camer
     CHECK(without(passesOf(log), " of view 1") ==
           passesAlone(rig.frame.camera) + passesAlone(rig.frame.other_views[0].camera));
     CHECK(passesAlone(rig.frame.camera) != passesAlone(rig.frame.other_views[0].camera));
-    CHECK(count(log, "beginFrame") == 1);
+    CHECK(occurrences(log, "beginFrame") == 1);
     CHECK(rig.device.misuse().empty());
 }
 
@@ -122,12 +115,13 @@ TEST_CASE("Each view remembers its own last frame")
     const glm::mat4 wanted = glm::dmat4(before.clip_from_view) * before.view_from_world *
                              glm::inverse(rig.frame.other_views[0].camera.view_from_world);
     for (int i = 0; i < 16; ++i) CHECK(right.at(i) == Approx(wanted[i / 4][i % 4]).margin(1e-5));
-    CHECK(count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history'") +
-              count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao'") ==
+    CHECK(occurrences(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history'") +
+              occurrences(log, "smooth_ao_history unit 1 <- texture 'smooth_ao'") ==
           1);
-    CHECK(count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao of view 1'") +
-              count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history of view 1'") ==
-          1);
+    CHECK(
+        occurrences(log, "smooth_ao_history unit 1 <- texture 'smooth_ao of view 1'") +
+            occurrences(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history of view 1'") ==
+        1);
 
     rig.draw();
     CHECK(rig.renderer->output("ao").value == first);
@@ -143,13 +137,13 @@ TEST_CASE("A view has its own textures for imports, and the frame's for the othe
     };
     const TextureId left = texture("left"), right = texture("right");
     rig.frame.textures = {{"decal", left}};
-    CHECK(count(rig.draw(), "setTexture decal unit 2 <- texture 'left'") == 2);
+    CHECK(occurrences(rig.draw(), "setTexture decal unit 2 <- texture 'left'") == 2);
     rig.frame.other_views[0].textures = {{"decal", right}};
     const std::string log = rig.draw();
-    CHECK(count(log, "setTexture decal unit 2 <- texture 'left'") == 1);
+    CHECK(occurrences(log, "setTexture decal unit 2 <- texture 'left'") == 1);
     CHECK(log.find("texture 'left'") < log.find("texture 'right'"));
     rig.frame.textures.clear();
-    CHECK(count(rig.draw(), "setTexture decal unit 2 <- texture 'black'") == 1);
+    CHECK(occurrences(rig.draw(), "setTexture decal unit 2 <- texture 'black'") == 1);
 }
 
 TEST_CASE("A frame with a view that no shader could draw is refused")

@@ -19,13 +19,6 @@ bool isOpen(const MeshDesc& mesh)
     return sheets > 0;
 }
 
-void append(MeshDesc& mesh, const MeshDesc& other)
-{
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-    for (const std::uint32_t index : other.indices) mesh.indices.push_back(first + index);
-}
-
 }  // namespace
 
 TEST_CASE("a surface with a long outline is open, a body with seams and small holes is not")

@@ -17,13 +17,6 @@ using namespace crevice;
 
 namespace {
 
-glm::mat4 sentMatrix(const Rig& rig, const char* name)
-{
-    const std::vector<float> values = rig.device.lastUniform(name);
-    REQUIRE(values.size() == 16);
-    return glm::make_mat4(values.data());
-}
-
 glm::vec3 sentVector(const Rig& rig, const char* name)
 {
     const std::vector<float> values = rig.device.lastUniform(name);

@@ -100,4 +100,11 @@ MeshDesc makeStairs(int count, float width, float rise, float run)
     return mesh;
 }
 
+void append(MeshDesc& mesh, const MeshDesc& other)
+{
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const std::uint32_t index : other.indices) mesh.indices.push_back(first + index);
+}
+
 }  // namespace crevice

@@ -22,4 +22,7 @@ MeshDesc makeSphere(float radius, int rings);
 /// y in [0, count * rise] and z in [-count * run, 0].
 MeshDesc makeStairs(int count, float width, float rise, float run);
 
+/// Adds `other` to `mesh`.
+void append(MeshDesc& mesh, const MeshDesc& other);
+
 }  // namespace crevice

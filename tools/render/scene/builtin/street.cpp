@@ -34,13 +34,6 @@ Paint addPaint(Scene& scene)
             addMaterial(scene, "leaf", {0.34f, 0.5f, 0.2f})};
 }
 
-void append(MeshDesc& mesh, const MeshDesc& other)
-{
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-    for (const std::uint32_t index : other.indices) mesh.indices.push_back(first + index);
-}
-
 void addGround(Scene& scene, const Paint& paint)
 {
     addObject(scene, "road", makeBox({kHouses - 1, -0.3f, kFar}, {6.5f, 0, kNear}), paint.asphalt);
