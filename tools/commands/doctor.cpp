@@ -64,10 +64,8 @@ Result<std::vector<Image>> drawIn(Device& device, const Description& description
     if (!host) return host.diagnostics();
     const Result<Frame> frame = host->frameOf(shown);
     if (!frame) return frame.diagnostics();
-    CompileOptions compile_options;
-    compile_options.extent = view.extent;
-    compile_options.disable = {"aliasing"};
-    const auto renderer = Renderer::create(device, description, compile_options, traitsOf(*frame));
+    const auto renderer =
+        Renderer::create(device, description, {view.extent, {}, {"aliasing"}}, traitsOf(*frame));
     if (!renderer) return renderer.diagnostics();
     for (int i = 0; i < options.frames; ++i)
         if (const Status drawn = (*renderer)->render(*frame); !drawn) return drawn.diagnostics();
@@ -164,9 +162,7 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
     const Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
     if (!scene) return scene.diagnostics();
     const Frame frame = makeFrame(*scene, view.camera, view.extent);
-    CompileOptions compile_options;
-    compile_options.extent = view.extent;
-    Result<Plan> plan = compile(description, traitsOf(frame), device.caps(), compile_options);
+    Result<Plan> plan = compile(description, traitsOf(frame), device.caps(), {view.extent});
     if (!plan) return plan.diagnostics();
     checkup.warnings = plan.diagnostics();
     GlslCheck shaders;

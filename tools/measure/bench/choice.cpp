@@ -14,9 +14,7 @@ namespace {
 
 Diagnostic scopeError(std::string message, std::string help)
 {
-    Diagnostic error{Code::usage, std::move(message)};
-    error.help = std::move(help);
-    return error;
+    return {Code::usage, std::move(message), std::move(help)};
 }
 
 Result<std::string> chooseDevice(const std::vector<BenchSample>& samples, const std::string& part)
@@ -118,12 +116,6 @@ double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind)
 {
     if (kind == ChoiceLimit::Kind::error) return candidate.error;
     return kind == ChoiceLimit::Kind::time_ms ? candidate.ms : candidate.ratio;
-}
-
-/// The other figure: what is to be small once the limit is kept.
-double meritOf(const Candidate& candidate, ChoiceLimit::Kind kind)
-{
-    return kind == ChoiceLimit::Kind::error ? candidate.ms : candidate.error;
 }
 
 std::string shortText(const Candidate& candidate)
@@ -232,11 +224,13 @@ std::string limitText(ChoiceLimit limit)
 Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
 {
     const std::vector<Candidate>& list = candidates.list;
+    const bool of_error = limit.kind == ChoiceLimit::Kind::error;
+    const auto spends = [&](std::size_t i) { return spentOf(list[i], limit.kind); };
+    // The other figure: what is to be small once the limit is kept.
+    const auto merit = [&](std::size_t i) { return of_error ? list[i].ms : list[i].error; };
     std::vector<std::size_t> within, beyond;
     for (std::size_t i = 0; i < list.size(); ++i)
-        (spentOf(list[i], limit.kind) <= limit.most ? within : beyond).push_back(i);
-    const auto spends = [&](std::size_t i) { return spentOf(list[i], limit.kind); };
-    const auto merit = [&](std::size_t i) { return meritOf(list[i], limit.kind); };
+        (spends(i) <= limit.most ? within : beyond).push_back(i);
     std::sort(beyond.begin(), beyond.end(), [&](std::size_t a, std::size_t b) {
         return std::make_pair(spends(a), merit(a)) < std::make_pair(spends(b), merit(b));
     });

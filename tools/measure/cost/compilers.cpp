@@ -35,10 +35,10 @@ std::string inputOf(const std::vector<PlanProgram>& programs)
 
 Diagnostic broken(const std::string& folder, const CostGpu& gpu, const std::string& what)
 {
-    Diagnostic error{Code::no_compilers, std::string("the compiler for ") + gpu.name + " in '" +
-                                             folder + "' does not work: " + what};
-    error.help = "build it again: remove that folder, then run tools/scripts/mobile_compilers.sh";
-    return error;
+    return {
+        Code::no_compilers,
+        std::string("the compiler for ") + gpu.name + " in '" + folder + "' does not work: " + what,
+        "build it again: remove that folder, then run tools/scripts/mobile_compilers.sh"};
 }
 
 /// The last line that is not empty, where most programs say why they end.

@@ -48,10 +48,8 @@ Result<Plan> planFor(const Description& description, const SceneView& view)
     RecordingDevice device;
     const Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
     if (!scene) return scene.diagnostics();
-    CompileOptions options;
-    options.extent = view.extent;
     return compile(description, traitsOf(makeFrame(*scene, view.camera, view.extent)), usualCaps(),
-                   options);
+                   {view.extent});
 }
 
 Json figuresJson(const CostGpu& gpu, const CompilerFigures& figures)

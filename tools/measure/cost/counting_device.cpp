@@ -4,6 +4,7 @@
 #include "core/run/uniform_values.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/host_textures.h"
+#include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
 
 #include <crevice/renderer.h>
@@ -23,15 +24,6 @@ double sumOf(const Image& image)
     for (std::size_t i = 0; i + 1 < image.pixels.size(); i += image.channels)
         sum += std::round(image.pixels[i] * 255.0) + 256 * std::round(image.pixels[i + 1] * 255.0);
     return sum;
-}
-
-/// Frames until a history holds what it does in every later one.
-int warmUpFrames(const Plan& plan)
-{
-    return std::any_of(plan.targets.begin(), plan.targets.end(),
-                       [](const PlanTarget& target) { return target.history_texture >= 0; })
-               ? 2
-               : 0;
 }
 
 }  // namespace
@@ -201,13 +193,12 @@ Result<std::map<std::string, double>> countFetches(Description description, cons
     if (!host) return host.diagnostics();
     const Result<Frame> frame = host->frameOf(drawn);
     if (!frame) return frame.diagnostics();
-    CompileOptions options;
-    options.extent = view.extent;
-    options.disable = {"cached"};  // a pass that does not run is not counted
-    const Result<std::unique_ptr<Renderer>> renderer =
-        Renderer::create(device, std::move(description), options, traitsOf(*frame));
+    // A pass that does not run is not counted.
+    const Result<std::unique_ptr<Renderer>> renderer = Renderer::create(
+        device, std::move(description), {view.extent, {}, {"cached"}}, traitsOf(*frame));
     if (!renderer) return renderer.diagnostics();
-    for (int warm_up = warmUpFrames((*renderer)->plan()); warm_up >= 0; --warm_up) {
+    // Until a history holds what it does in every later frame.
+    for (int warm_up = remembers((*renderer)->plan()) ? 2 : 0; warm_up >= 0; --warm_up) {
         if (warm_up == 0) device.startCounting();
         if (const Status status = (*renderer)->render(*frame); !status) return status.diagnostics();
     }

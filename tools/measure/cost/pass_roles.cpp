@@ -65,13 +65,8 @@ std::vector<int> targetsOf(const PlanPass& pass)
 
 const char* nameOf(PassRole role)
 {
-    switch (role) {
-    case PassRole::ao: return "AO";
-    case PassRole::geometry_for_ao: return "geometry for AO";
-    case PassRole::geometry: return "geometry";
-    case PassRole::picture: return "picture";
-    }
-    return "";
+    const char* const names[] = {"AO", "geometry for AO", "geometry", "picture"};
+    return names[static_cast<int>(role)];
 }
 
 std::vector<PassRole> passRoles(const Plan& plan)

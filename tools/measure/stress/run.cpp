@@ -37,11 +37,9 @@ Result<std::vector<const StressCase*>> chooseCases(const std::vector<std::string
         if (names.empty() || contains(names, each.name)) chosen.push_back(&each);
     }
     for (const std::string& name : names)
-        if (!contains(known, name)) {
-            Diagnostic error{Code::usage, "there is no case '" + name + "'"};
-            error.help = suggestName(name, known, "cases");
-            return error;
-        }
+        if (!contains(known, name))
+            return Diagnostic{Code::usage, "there is no case '" + name + "'",
+                              suggestName(name, known, "cases")};
     return chosen;
 }
 

@@ -64,9 +64,7 @@ std::vector<Setting> otherSettings()
 
 Result<Plan> planFor(const Description& description, const SceneTraits& traits, Extent extent)
 {
-    CompileOptions options;
-    options.extent = extent;
-    return compile(description, traits, usualCaps(), options);
+    return compile(description, traits, usualCaps(), {extent});
 }
 
 /// Warns of outputs that are nowhere but in their declaration, and perhaps before ==.

@@ -14,27 +14,17 @@ namespace crevice {
 
 const char* nameOf(LoadOp load)
 {
-    switch (load) {
-    case LoadOp::load: return "load";
-    case LoadOp::clear: return "clear";
-    case LoadOp::discard: break;
-    }
-    return "discard";
+    const char* const names[] = {"load", "clear", "discard"};
+    return names[static_cast<int>(load)];
 }
 
 const char* nameOf(StoreOp store) { return store == StoreOp::store ? "store" : "discard"; }
 
 const char* nameOf(InputKind kind)
 {
-    switch (kind) {
-    case InputKind::target: return "target";
-    case InputKind::history: return "history";
-    case InputKind::generated: return "generated";
-    case InputKind::imported: return "import";
-    case InputKind::material: return "material";
-    case InputKind::constant: break;
-    }
-    return "constant";
+    const char* const names[] = {"target", "history",  "generated",
+                                 "import", "material", "constant"};
+    return names[static_cast<int>(kind)];
 }
 
 const char* nameOf(UniformSource source)
@@ -96,11 +86,6 @@ std::string counted(std::size_t count, const std::string& what)
     return std::to_string(count) + " " + what + (count == 1 ? "" : what == "pass" ? "es" : "s");
 }
 
-std::string samplingText(const SamplerDesc& sampling)
-{
-    return table::word(sampling.filter) + ", " + table::word(sampling.wrap);
-}
-
 std::string readText(const Plan& plan, const PlanInput& input)
 {
     const std::string source = sourceName(plan, input);
@@ -111,7 +96,8 @@ std::string readText(const Plan& plan, const PlanInput& input)
                 ? ""
                 : std::string(" from ") + nameOf(input.kind) + " " + source;
     if (input.kind == InputKind::constant) return text + "\n";
-    return text + " (" + samplingText(input.sampling) + ")\n";
+    return text + " (" + table::word(input.sampling.filter) + ", " +
+           table::word(input.sampling.wrap) + ")\n";
 }
 
 std::string clearText(const PlanAttachment& attachment, bool depth)
