@@ -10,9 +10,7 @@
 // And stages with a token a line, for compilers that tell no columns.
 #include "core/base/text.h"
 #include "core/glsl/compiler_words.h"
-#include "core/glsl/preprocessor.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 

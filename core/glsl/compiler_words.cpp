@@ -4,9 +4,7 @@
 #include "core/glsl/compiler_words.h"
 
 #include "core/base/text.h"
-#include "core/glsl/preprocessor.h"
 
-#include <algorithm>
 #include <tuple>
 
 namespace crevice {

@@ -2,8 +2,6 @@
 // What compilers say of GLSL, in plain words and with a way out.
 #pragma once
 
-#include <crevice/glsl_stage.h>
-
 #include "core/glsl/preprocessor.h"
 
 namespace crevice {

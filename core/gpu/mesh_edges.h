@@ -5,10 +5,6 @@
 
 #include <crevice/device.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 namespace crevice {
 
 /// For each vertex the first one whose leading `bytes` are the same: 12 compares positions.

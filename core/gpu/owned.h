@@ -4,8 +4,6 @@
 
 #include <crevice/device.h>
 
-#include <utility>
-
 namespace crevice {
 
 /// Move-only; a moved-from one owns nothing. The device must outlive it.

@@ -2,7 +2,6 @@
 // The GL function table, formats and object classes, on functions that are no GL at all.
 #include <crevice/gl_device.h>
 
-#include "backends/gl/api.h"
 #include "backends/gl/formats.h"
 #include "backends/gl/objects.h"
 #include "tests/support/catch.h"

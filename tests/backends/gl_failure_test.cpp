@@ -7,8 +7,6 @@
 #include "tests/support/renderer_rig.h"
 #include "tests/support/watched_gl.h"
 
-#include <set>
-
 using namespace crevice;
 
 namespace {

@@ -3,8 +3,6 @@
 #include "backends/gl/timers.h"
 #include "tests/support/catch.h"
 
-#include <map>
-
 namespace crevice {
 
 namespace {

@@ -3,7 +3,6 @@
 #include "backends/gl/objects.h"
 #include "tests/support/gl_fixture.h"
 
-#include <crevice/config.h>
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>
 

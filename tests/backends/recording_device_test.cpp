@@ -2,7 +2,6 @@
 // The recording device: what it logs, what it notices, how it fails.
 #include <crevice/recording_device.h>
 
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 
 #include <chrono>

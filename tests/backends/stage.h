@@ -8,10 +8,6 @@
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene_upload.h"
 
-#include <memory>
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// What each output of a renderer holds.

@@ -6,11 +6,6 @@
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
-
-#include <map>
-
 using namespace crevice;
 
 namespace {

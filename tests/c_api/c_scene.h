@@ -2,8 +2,6 @@
 // The C API from tests in C++, and a host's scene by it on a device that draws nothing.
 #pragma once
 
-#include <crevice/crevice.h>
-#include <crevice/frame.h>
 #include <crevice/recording_device.h>
 #include <crevice/renderer.h>
 
@@ -12,9 +10,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
-
-#include <memory>
-#include <string>
 
 /// The test ends where there is an error, which is freed.
 inline void need(crevice_error* error)

@@ -3,8 +3,6 @@
 // passes.
 #include "tests/c_api/c_scene.h"
 
-#include <limits>
-
 using namespace crevice;
 
 namespace {

@@ -2,7 +2,6 @@
 // What becomes of each member of a struct of C, on a device that draws nothing.
 #include "tests/c_api/c_scene.h"
 
-#include <cstring>
 #include <numeric>
 
 using namespace crevice;

@@ -7,7 +7,6 @@
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>
 
-#include <cstdint>
 #include <cstdlib>
 
 using namespace crevice;

@@ -2,7 +2,6 @@
 // Any bytes as a document and as a value: a tree whose places lie in the text, or errors that do.
 #include <crevice/document.h>
 
-#include <cstdint>
 #include <cstdlib>
 
 using namespace crevice;

@@ -9,7 +9,6 @@
 // follow, which take the place of its line "...".
 #pragma once
 
-#include <crevice/config.h>
 #include <crevice/recording_device.h>
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>
@@ -19,8 +18,6 @@
 #include "tests/support/temporary_folder.h"
 
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

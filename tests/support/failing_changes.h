@@ -6,8 +6,6 @@
 // WatchedGl has the first two for the calls of a driver.
 #pragma once
 
-#include <crevice/diagnostic.h>
-
 #include "tests/support/need.h"
 
 #include <functional>

@@ -4,14 +4,9 @@
 #pragma once
 
 #include <crevice/context.h>
-#include <crevice/gl_device.h>
 
 #include "backends/gl/api.h"
 #include "tests/support/need.h"
-
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

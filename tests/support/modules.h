@@ -6,9 +6,6 @@
 #include <crevice/config.h>
 
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace crevice {
 

@@ -6,8 +6,6 @@
 
 #include "tests/support/catch.h"
 
-#include <string>
-
 namespace crevice {
 
 /// The value, or a failed test that prints why there is none.

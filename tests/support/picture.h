@@ -7,9 +7,6 @@
 #include "tests/support/gl_fixture.h"
 #include "tools/render/scene_upload.h"
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// Draws one description after the other. Programs of the same text compile once, since that is

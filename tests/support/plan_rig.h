@@ -9,7 +9,6 @@
 #include "tools/show/plan/costs.h"
 #include "tools/show/plan/print.h"
 
-#include <map>
 #include <set>
 #include <sstream>
 

@@ -6,9 +6,6 @@
 
 #include "tests/support/catch.h"
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 struct TestFile {

@@ -2,8 +2,6 @@
 #include "tests/support/watched_gl.h"
 
 #include <set>
-#include <type_traits>
-#include <utility>
 
 namespace crevice {
 

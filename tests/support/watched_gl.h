@@ -3,13 +3,7 @@
 // names that live, run out of memory on demand, lose their context, and tell what no pixel shows.
 #pragma once
 
-#include <crevice/gl_device.h>
-
 #include "backends/gl/api.h"
-
-#include <map>
-#include <string>
-#include <utility>
 
 namespace crevice {
 

@@ -11,9 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <memory>
-
 namespace crevice {
 namespace {
 

@@ -11,8 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <memory>
-
 namespace crevice {
 namespace {
 

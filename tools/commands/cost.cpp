@@ -13,8 +13,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <memory>
-
 namespace crevice {
 namespace {
 

@@ -10,9 +10,6 @@
 #include "tools/render/device/open_device.h"
 #include "tools/render/device/poison_device.h"
 #include "tools/render/glsl/glsl_check.h"
-#include "tools/render/host_textures.h"
-#include "tools/render/output_source.h"
-#include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/target_diagnosis.h"
@@ -22,10 +19,6 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <iterator>
-#include <memory>
 
 namespace crevice {
 namespace {

@@ -11,12 +11,9 @@
 #include "tools/show/plan/planning.h"
 #include "tools/show/plan/print.h"
 
-#include <crevice/config.h>
 #include <crevice/recording_device.h>
 
 #include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace crevice {
 namespace {

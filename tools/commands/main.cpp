@@ -6,11 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <exception>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 

@@ -4,11 +4,8 @@
 #include "tools/commands/cli/save_patch.h"
 #include "tools/commands/cli/watched_files.h"
 #include "tools/commands/commands.h"
-#include "tools/render/read_output.h"
 #include "tools/render/session.h"
 #include "tools/render/view_diagnosis.h"
-
-#include <crevice/config.h>
 
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"
@@ -16,7 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <thread>
 

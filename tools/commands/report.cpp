@@ -12,9 +12,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
-#include <memory>
-
 namespace crevice {
 namespace {
 

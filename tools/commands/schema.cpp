@@ -7,8 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <memory>
-
 namespace crevice {
 
 void addSchemaCommand(CLI::App& app, int& exit_code)

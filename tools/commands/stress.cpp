@@ -14,10 +14,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <map>
-#include <memory>
-
 namespace crevice {
 namespace {
 

@@ -7,14 +7,8 @@
 #include "tools/show/plan/names.h"
 #include "tools/show/plan/planning.h"
 
-#include <crevice/config.h>
-
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <memory>
-#include <set>
 
 namespace crevice {
 namespace {

@@ -13,8 +13,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <chrono>
-#include <memory>
 #include <thread>
 
 namespace crevice {

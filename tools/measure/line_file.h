@@ -7,7 +7,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <functional>
-#include <string>
 
 namespace crevice {
 

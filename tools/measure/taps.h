@@ -4,9 +4,6 @@
 
 #include <crevice/config.h>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// The param `samples`, or 2 * `slices` * `steps` of an estimator that marches over the screen both

@@ -7,8 +7,6 @@
 
 #include "tools/render/scene/scene.h"
 
-#include <string>
-
 namespace crevice {
 
 /// The camera that a path ends at, and what turns pixels into lengths.

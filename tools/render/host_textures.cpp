@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/host_textures.h"
 
-#include <crevice/shipped.h>
-
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/commands/cli/config_options.h"
 #include "tools/render/image/image_file.h"
-
-#include <algorithm>
-#include <filesystem>
 
 namespace crevice {
 namespace {

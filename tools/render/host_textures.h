@@ -3,12 +3,9 @@
 // others read from pictures beside the config.
 #pragma once
 
-#include <crevice/config.h>
 #include <crevice/renderer.h>
 
 #include "core/gpu/owned.h"
-
-#include <memory>
 
 namespace crevice {
 

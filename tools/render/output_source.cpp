@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/output_source.h"
 
-#include <string_view>
-
 namespace crevice {
 namespace {
 

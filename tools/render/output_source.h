@@ -3,11 +3,6 @@
 #pragma once
 
 #include <crevice/compile.h>
-#include <crevice/diagnostic.h>
-#include <crevice/image.h>
-
-#include <string>
-#include <vector>
 
 namespace crevice {
 

@@ -7,9 +7,7 @@
 
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace crevice {
 

@@ -4,9 +4,6 @@
 
 #include <crevice/renderer.h>
 
-#include <optional>
-#include <string_view>
-
 namespace crevice {
 
 /// Frames of a still view by when a mean over frames has gathered what it can.

@@ -4,11 +4,7 @@
 #include "tools/commands/cli/output.h"
 #include "tools/render/glsl/glsl_check.h"
 #include "tools/render/image/image_file.h"
-#include "tools/render/read_output.h"
 #include "tools/render/view_diagnosis.h"
-
-#include <algorithm>
-#include <filesystem>
 
 namespace crevice {
 namespace {

@@ -2,8 +2,6 @@
 // What `crevice render` does: a scene on a device, drawn through a config, and pictures of it.
 #pragma once
 
-#include <crevice/renderer.h>
-
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output_request.h"
 #include "tools/render/camera_path.h"
@@ -12,11 +10,6 @@
 #include "tools/render/output_source.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
-
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

@@ -4,7 +4,6 @@
 #include "core/base/text.h"
 #include "tools/render/device/float_device.h"
 
-#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <cstring>

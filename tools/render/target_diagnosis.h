@@ -3,12 +3,6 @@
 #pragma once
 
 #include <crevice/compile.h>
-#include <crevice/diagnostic.h>
-
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

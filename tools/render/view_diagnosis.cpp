@@ -9,7 +9,6 @@
 
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace crevice {

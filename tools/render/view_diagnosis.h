@@ -3,13 +3,8 @@
 // radius is there.
 #pragma once
 
-#include <crevice/compile.h>
-#include <crevice/renderer.h>
-
 #include "tools/render/read_output.h"
 #include "tools/render/scene/scene.h"
-
-#include <optional>
 
 namespace crevice {
 

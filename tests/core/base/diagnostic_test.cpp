@@ -7,8 +7,6 @@
 
 #include "tests/support/catch.h"
 
-#include <algorithm>
-
 using namespace crevice;
 
 namespace {

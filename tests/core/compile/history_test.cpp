@@ -6,7 +6,6 @@
 #include "tests/support/renderer_rig.h"
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a plan says of formats that are too coarse for camera and radius, and which it chooses.
 #include <crevice/config.h>
-#include <crevice/shipped.h>
 
 #include "core/base/text.h"
 #include "tests/support/renderer_rig.h"

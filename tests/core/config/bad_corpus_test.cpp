@@ -2,8 +2,6 @@
 // Malformed configs: one mistake gives one error, at its place, with a way out.
 #include "tests/support/bad_corpus.h"
 
-#include <algorithm>
-
 using namespace crevice;
 
 TEST_CASE("Every config of the corpus gets one error, with its place and the way out")

@@ -6,9 +6,6 @@
 
 #include "tests/support/catch.h"
 
-#include <map>
-#include <string>
-
 namespace crevice {
 
 using Sections = std::map<std::string, std::string>;

@@ -13,9 +13,7 @@
 #include "tests/support/need.h"
 #include "tests/support/nightly.h"
 
-#include <algorithm>
 #include <functional>
-#include <set>
 
 using namespace crevice;
 

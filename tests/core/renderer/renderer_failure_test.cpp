@@ -3,7 +3,6 @@
 #include <crevice/renderer.h>
 
 #include "core/config/values.h"
-#include "tests/support/catch.h"
 #include "tests/support/failing_changes.h"
 #include "tests/support/renderer_rig.h"
 

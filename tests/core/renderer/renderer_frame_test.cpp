@@ -3,14 +3,11 @@
 #include <crevice/renderer.h>
 
 #include "core/frame/frame_math.h"
-#include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
 #include "tools/render/scene/mesh_shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
-#include <limits>
 #include <sstream>
 
 using namespace crevice;

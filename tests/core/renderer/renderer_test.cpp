@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The renderer keeps its plan in step with params, features, size and scene.
 #include <crevice/config.h>
-#include <crevice/renderer.h>
 #include <crevice/shipped.h>
 
-#include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
 
 #include <glm/gtc/matrix_transform.hpp>

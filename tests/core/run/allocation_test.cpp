@@ -2,9 +2,6 @@
 // Steady frames allocate no memory. Counts every operator new of the program.
 #include "tests/core/run/allocations.h"
 
-#include <crevice/renderer.h>
-
-#include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
 
 #include <malloc.h>

@@ -3,8 +3,6 @@
 #include "core/run/dirty_passes.h"
 #include "tests/support/plan_rig.h"
 
-#include <algorithm>
-
 using namespace crevice;
 
 namespace {

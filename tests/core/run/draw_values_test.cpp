@@ -2,23 +2,17 @@
 // What a draw reads: in every pass, view and frame the values of its own place and material, bit
 // for bit, though they are computed once a view and sent only where they differ.
 #include <crevice/recording_device.h>
-#include <crevice/shipped.h>
 
 #include "core/run/view_draws.h"
 
 #include "tests/core/run/allocations.h"
 #include "tests/core/run/reading_device.h"
-#include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
 #include "tests/support/shipped_subjects.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cstring>
-#include <limits>
-#include <map>
 #include <random>
-#include <set>
 
 using namespace crevice;
 

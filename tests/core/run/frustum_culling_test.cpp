@@ -2,19 +2,13 @@
 // Draws outside the view: never one of which a part could show, and most that are far from it.
 #include <crevice/renderer.h>
 
-#include "core/base/text.h"
-#include "core/frame/frame_math.h"
 #include "core/run/view_draws.h"
 
-#include <crevice/shipped.h>
-
-#include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
 #include "tests/support/shipped_subjects.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
 #include <random>
 #include <sstream>
 

@@ -4,7 +4,6 @@
 
 #include <crevice/recording_device.h>
 
-#include "core/frame/frame_math.h"
 #include "tests/support/catch.h"
 
 namespace crevice {

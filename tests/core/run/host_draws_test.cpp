@@ -3,8 +3,6 @@
 #include <crevice/renderer.h>
 
 #include "core/frame/frame_math.h"
-#include "tests/support/catch.h"
-#include "tests/support/need.h"
 #include "tests/support/renderer_rig.h"
 
 #include <glm/gtc/matrix_transform.hpp>

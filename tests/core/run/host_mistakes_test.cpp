@@ -3,7 +3,6 @@
 #include <crevice/renderer.h>
 
 #include "core/config/values.h"
-#include "tests/support/need.h"
 #include "tests/support/renderer_rig.h"
 
 #include <functional>

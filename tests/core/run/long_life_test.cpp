@@ -4,7 +4,6 @@
 #include <crevice/gl_device.h>
 
 #include "tests/core/run/allocations.h"
-#include "tests/support/need.h"
 #include "tests/support/nightly.h"
 #include "tests/support/renderer_rig.h"
 #include "tests/support/watched_gl.h"

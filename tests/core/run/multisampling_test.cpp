@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Multisampled targets: what a plan makes of them, and what a device is asked to do.
 #include <crevice/recording_device.h>
-#include <crevice/renderer.h>
 
 #include "tests/support/plan_rig.h"
 #include "tests/support/renderer_rig.h"

@@ -5,11 +5,7 @@
 #include "core/run/uniform_values.h"
 #include "tools/render/device/forwarding_device.h"
 
-#include <cstring>
-#include <map>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Combinations of shipped modules that make no sense: one error each, with a place and the way out.
 #include <crevice/compile.h>
-#include <crevice/config.h>
 #include <crevice/recording_device.h>
 #include <crevice/shipped.h>
 
 #include "core/base/text.h"
 #include "tests/support/catch.h"
 #include "tests/support/modules.h"
-
-#include <algorithm>
 
 using namespace crevice;
 

@@ -2,8 +2,6 @@
 // Frames that are timed pass by pass: which clock is taken, in which order, and when it is void.
 #include <crevice/renderer.h>
 
-#include "tests/support/catch.h"
-#include "tests/support/need.h"
 #include "tests/support/renderer_rig.h"
 
 #include <numeric>

@@ -9,11 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace crevice;
 

@@ -6,9 +6,6 @@
 #include "tools/render/scene/camera_framing.h"
 #include "tools/show/plan/planning.h"
 
-#include <crevice/config.h>
-#include <crevice/shipped.h>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cstdlib>

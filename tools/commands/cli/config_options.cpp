@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <map>
 
 namespace crevice {
 namespace {

@@ -6,8 +6,6 @@
 #include <crevice/shipped.h>
 
 #include <functional>
-#include <string>
-#include <vector>
 
 namespace CLI {
 class App;

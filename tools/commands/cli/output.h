@@ -7,9 +7,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <string>
-#include <utility>
-
 namespace crevice {
 
 /// How the command ends; docs/reference/command_line.md explains each.

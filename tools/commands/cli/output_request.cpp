@@ -5,8 +5,6 @@
 
 #include <unistd.h>
 
-#include <filesystem>
-
 namespace fs = std::filesystem;
 
 namespace crevice {

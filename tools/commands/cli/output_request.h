@@ -4,8 +4,6 @@
 
 #include <crevice/diagnostic.h>
 
-#include <string>
-
 namespace crevice {
 
 struct OutputRequest {

@@ -4,9 +4,6 @@
 
 #include <crevice/config.h>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// A config that extends these and says, beyond them, only in what `now` differs from `base`. What

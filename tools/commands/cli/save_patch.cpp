@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tools/commands/cli/save_patch.h"
 
-#include <crevice/config.h>
-
 #include "core/base/text.h"
 #include "tools/commands/cli/output_request.h"
 #include "tools/commands/cli/patch_text.h"
 #include "tools/render/image/image_file.h"
-
-#include <filesystem>
 
 namespace crevice {
 namespace {

@@ -2,8 +2,6 @@
 // What --variant and --set made of a config, as a config of its own: `crevice render --save-patch`.
 #pragma once
 
-#include <crevice/document.h>
-
 #include "tools/commands/cli/config_options.h"
 
 namespace crevice {

@@ -3,11 +3,6 @@
 #pragma once
 
 #include <crevice/config.h>
-#include <crevice/diagnostic.h>
-
-#include <map>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

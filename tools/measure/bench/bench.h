@@ -8,10 +8,6 @@
 #include "tools/measure/bench/sample.h"
 #include "tools/render/scene/scene.h"
 
-#include <memory>
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 struct BenchOptions {

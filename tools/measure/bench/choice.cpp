@@ -4,9 +4,7 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace crevice {

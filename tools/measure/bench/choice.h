@@ -7,9 +7,6 @@
 
 #include "tools/measure/bench/views.h"
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// Which of the results are asked about.

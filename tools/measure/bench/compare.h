@@ -5,9 +5,6 @@
 
 #include "tools/measure/bench/sample.h"
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// Largest change of an error that counts as none, where device, driver and version are the same:

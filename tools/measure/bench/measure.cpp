@@ -8,7 +8,6 @@
 #include "tools/measure/reference/reference_cache.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/image/image_metrics.h"
-#include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/view_diagnosis.h"
 #include "tools/show/plan/costs.h"
@@ -16,8 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <optional>
 
 namespace fs = std::filesystem;
 

@@ -12,10 +12,6 @@
 #include "tools/measure/bench/bench.h"
 #include "tools/render/host_textures.h"
 
-#include <crevice/renderer.h>
-
-#include <functional>
-
 namespace crevice {
 
 struct MeasureOptions {

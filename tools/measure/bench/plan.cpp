@@ -8,13 +8,9 @@
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene/options.h"
 
-#include <crevice/config.h>
-
 #include "core/base/content_hash.h"
 #include "core/base/text.h"
 
-#include <algorithm>
-#include <map>
 #include <set>
 
 namespace crevice {

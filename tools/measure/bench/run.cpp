@@ -6,7 +6,6 @@
 #include "core/base/text.h"
 
 #include <cmath>
-#include <utility>
 
 namespace crevice {
 namespace {

@@ -8,10 +8,7 @@
 #include "tools/measure/bench/bench.h"
 #include "tools/measure/line_file.h"
 
-#include <functional>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

@@ -5,8 +5,6 @@
 #include "tools/commands/cli/output.h"
 #include "tools/measure/bench/run.h"
 
-#include <string>
-
 namespace CLI {
 class App;
 }

@@ -12,9 +12,6 @@
 #include <crevice/diagnostic.h>
 #include <crevice/image.h>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// Median and quartiles over the repeats, milliseconds.

@@ -17,9 +17,6 @@
 
 #include <crevice/renderer.h>
 
-#include <utility>
-#include <vector>
-
 namespace crevice {
 
 /// Draws a frame until its times are valid: a GPU's timer may be disturbed now and then.

@@ -4,8 +4,6 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
-#include <map>
 #include <set>
 #include <tuple>
 

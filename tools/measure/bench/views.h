@@ -4,10 +4,6 @@
 
 #include "tools/measure/bench/sample.h"
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// Samples with the same ground truth and the same clockwork. Failed samples are in no view.

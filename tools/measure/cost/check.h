@@ -4,9 +4,6 @@
 
 #include "tools/measure/cost/cost.h"
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// By how much a sum may grow: what the smallest changes of a shader do to a compiler's choices.

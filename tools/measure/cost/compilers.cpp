@@ -5,7 +5,6 @@
 #include "tools/commands/cli/child_process.h"
 #include "tools/measure/reference/reference_cache.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 

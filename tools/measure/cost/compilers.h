@@ -6,9 +6,6 @@
 
 #include <crevice/plan.h>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// Where they lie: in `folder`; where that is empty, in the one that CREVICE_MOBILE_COMPILERS

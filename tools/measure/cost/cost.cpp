@@ -10,10 +10,8 @@
 #include "tools/show/plan/planning.h"
 #include "tools/show/plan/print.h"
 
-#include <crevice/compile.h>
 #include <crevice/recording_device.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace crevice {

@@ -11,9 +11,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 struct CostOptions {

@@ -7,11 +7,7 @@
 #include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
 
-#include <crevice/renderer.h>
-
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace crevice {
 

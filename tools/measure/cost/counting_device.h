@@ -11,11 +11,6 @@
 
 #include <crevice/config.h>
 
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// The fragment shader's text with outputs as plain variables, each call of a built-in function

@@ -5,8 +5,6 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
-
 namespace crevice {
 
 namespace {

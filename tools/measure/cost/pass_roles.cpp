@@ -4,8 +4,6 @@
 #include "core/base/text.h"
 #include "tools/show/plan/names.h"
 
-#include <algorithm>
-
 namespace crevice {
 
 namespace {

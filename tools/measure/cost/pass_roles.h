@@ -5,8 +5,6 @@
 
 #include <crevice/plan.h>
 
-#include <vector>
-
 namespace crevice {
 
 enum class PassRole {

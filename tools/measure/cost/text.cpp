@@ -5,8 +5,6 @@
 #include "core/base/text.h"
 #include "tools/measure/cost/pass_roles.h"
 
-#include <algorithm>
-
 namespace crevice {
 
 namespace {

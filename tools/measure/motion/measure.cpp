@@ -4,7 +4,6 @@
 #include "core/base/text.h"
 #include "tools/render/read_output.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace crevice {

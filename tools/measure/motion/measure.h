@@ -5,8 +5,6 @@
 #include "tools/measure/motion/truth.h"
 #include "tools/render/host_textures.h"
 
-#include <crevice/renderer.h>
-
 namespace crevice {
 
 /// What is drawn with: a renderer that has the output `ao`, what a host hands it, and a frame of

@@ -5,7 +5,6 @@
 #include "tools/measure/reference/bvh.h"
 #include "tools/measure/reference/trace_bodies.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>

@@ -2,15 +2,12 @@
 // Rays through pixels, and rays about surfaces.
 #include "tools/measure/reference/pixel_tracer.h"
 
-#include "core/base/text.h"
 #include "core/frame/frame_math.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace crevice {
 

@@ -2,7 +2,6 @@
 // The rays of one pixel: the one that finds its surface, and those that probe what is open there.
 #pragma once
 
-#include "tools/measure/reference/ray_scene.h"
 #include "tools/measure/reference/tracer.h"
 
 namespace crevice {

@@ -7,8 +7,6 @@
 
 #include "tools/render/scene/scene.h"
 
-#include <memory>
-
 namespace crevice {
 
 /// A ray in world space.

@@ -9,12 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <optional>
-#include <string_view>
 
 namespace fs = std::filesystem;
 

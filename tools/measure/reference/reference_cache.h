@@ -7,8 +7,6 @@
 
 #include "tools/measure/reference/tracer.h"
 
-#include <string>
-
 namespace CLI {
 class App;
 }

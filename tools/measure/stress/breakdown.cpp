@@ -4,9 +4,7 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace crevice {
 namespace {

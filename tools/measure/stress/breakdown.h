@@ -4,9 +4,6 @@
 
 #include "tools/measure/stress/run.h"
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// Where a config breaks; of cases that break by the same effect under the same condition the one

@@ -8,16 +8,10 @@
 #include "tools/measure/stress/limits.h"
 #include "tools/render/scene/scene.h"
 
-#include <crevice/device.h>
-
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 
 #include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace crevice {
 

@@ -10,10 +10,6 @@
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 namespace crevice {
 namespace {
 

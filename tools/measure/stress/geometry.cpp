@@ -6,7 +6,6 @@
 #include "tools/render/scene_upload.h"
 
 #include <tuple>
-#include <utility>
 
 namespace crevice {
 namespace {

@@ -5,11 +5,6 @@
 #include "tools/commands/cli/config_options.h"
 #include "tools/measure/stress/case.h"
 
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// What stands in for geometry modules, so that any config that extends one of them becomes one

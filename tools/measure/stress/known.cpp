@@ -3,13 +3,10 @@
 #include "tools/measure/stress/known.h"
 
 #include "tools/measure/line_file.h"
-#include "tools/measure/stress/limits.h"
 
 #include "core/base/text.h"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace crevice {
 

@@ -9,11 +9,6 @@
 
 #include "tools/measure/stress/run.h"
 
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace crevice {
 
 /// How a step stood.

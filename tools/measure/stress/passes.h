@@ -6,9 +6,6 @@
 
 #include <crevice/compile.h>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// What a pass wrote of the occlusion, in 32-bit floats.

@@ -4,11 +4,6 @@
 
 #include "tools/measure/stress/case.h"
 
-#include <crevice/diagnostic.h>
-
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// One step of one series, as one line of stress.jsonl.

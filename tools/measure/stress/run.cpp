@@ -6,16 +6,9 @@
 #include "tools/measure/stress/known.h"
 #include "tools/render/image/image_file.h"
 
-#include <crevice/config.h>
-
 #include "core/base/text.h"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <filesystem>
-#include <map>
-#include <utility>
 
 namespace crevice {
 

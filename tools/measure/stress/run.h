@@ -4,10 +4,6 @@
 
 #include "tools/measure/stress/runner.h"
 
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 struct StressOptions {

@@ -5,9 +5,7 @@
 #include "core/base/text.h"
 #include "tools/measure/line_file.h"
 #include "tools/measure/reference/reference_cache.h"
-#include "tools/measure/reference/tracer.h"
 #include "tools/measure/stress/figures.h"
-#include "tools/measure/stress/limits.h"
 #include "tools/measure/stress/passes.h"
 #include "tools/measure/taps.h"
 #include "tools/render/device/float_device.h"
@@ -19,7 +17,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace crevice {

@@ -3,16 +3,10 @@
 // target.
 #pragma once
 
-#include "tools/commands/cli/config_options.h"
 #include "tools/measure/stress/geometry.h"
 #include "tools/measure/stress/record.h"
 #include "tools/render/host_textures.h"
 #include "tools/render/output_source.h"
-
-#include <crevice/renderer.h>
-
-#include <memory>
-#include <string>
 
 namespace crevice {
 

@@ -6,9 +6,6 @@
 
 #include <spirv_cross_c.h>
 
-#include <string>
-#include <string_view>
-
 namespace crevice {
 namespace {
 

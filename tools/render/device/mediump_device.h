@@ -13,10 +13,6 @@
 
 #include <crevice/device.h>
 
-#include <cstdint>
-#include <memory>
-#include <vector>
-
 namespace crevice {
 
 enum class Mediump {

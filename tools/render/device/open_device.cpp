@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/device/open_device.h"
 
-#include <crevice/gl_device.h>
-
 #include "tools/commands/cli/output.h"
 #include "tools/render/device/mediump_device.h"
 

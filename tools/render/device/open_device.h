@@ -3,12 +3,8 @@
 #pragma once
 
 #include <crevice/context.h>
-#include <crevice/device.h>
 
 #include "tools/render/device/program_folder.h"
-
-#include <memory>
-#include <string>
 
 namespace CLI {
 class App;

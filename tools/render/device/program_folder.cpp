@@ -7,9 +7,6 @@
 
 #include <unistd.h>
 
-#include <filesystem>
-#include <string_view>
-
 namespace fs = std::filesystem;
 
 namespace crevice {

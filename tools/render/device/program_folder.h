@@ -2,11 +2,7 @@
 // A folder of linked programs, a file for each, named by its key: what --program-cache names.
 #pragma once
 
-#include <crevice/diagnostic.h>
 #include <crevice/gl_device.h>
-
-#include <memory>
-#include <string>
 
 namespace crevice {
 

@@ -4,12 +4,8 @@
 #include "core/base/text.h"
 #include "core/compile/steps.h"
 #include "core/glsl/compiler_words.h"
-#include "core/glsl/preprocessor.h"
 #include "tools/commands/cli/child_process.h"
 #include "tools/render/glsl/glslang_stage.h"
-
-#include <algorithm>
-#include <array>
 
 namespace crevice {
 namespace {

@@ -10,8 +10,6 @@
 #include <crevice/image.h>
 
 #include <filesystem>
-#include <string>
-#include <string_view>
 
 namespace crevice {
 

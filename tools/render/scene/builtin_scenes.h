@@ -8,8 +8,6 @@
 
 #include "tools/render/scene/scene.h"
 
-#include <string_view>
-
 namespace crevice {
 
 /// "corner", "plane", "room", "spheres", "street".

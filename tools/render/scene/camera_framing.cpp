@@ -5,11 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
-#include <utility>
 
 namespace crevice {
 

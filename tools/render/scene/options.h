@@ -5,8 +5,6 @@
 
 #include "tools/render/scene/scene.h"
 
-#include <string>
-
 namespace CLI {
 class App;
 }

@@ -7,9 +7,6 @@
 
 #include <crevice/frame.h>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// An axis-aligned box in world space; empty (min above max) until something is added.

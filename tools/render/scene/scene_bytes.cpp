@@ -4,8 +4,6 @@
 #include "core/base/text.h"
 #include "tools/render/scene/transfer.h"
 
-#include <algorithm>
-
 namespace crevice {
 namespace {
 

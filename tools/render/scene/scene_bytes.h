@@ -5,9 +5,6 @@
 
 #include "tools/render/scene/scene.h"
 
-#include <string>
-#include <string_view>
-
 namespace crevice {
 
 /// All of the scene. The same scene gives the same bytes, on 32 and on 64 bits.

@@ -8,10 +8,7 @@
 
 #include "tools/render/scene/scene.h"
 
-#include <cstdint>
 #include <cstring>
-#include <string>
-#include <string_view>
 #include <type_traits>
 
 namespace crevice {

@@ -4,9 +4,6 @@
 
 #include <crevice/document.h>
 
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 /// A value with the RFC 6901 pointer that leads to it.

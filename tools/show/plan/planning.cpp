@@ -2,15 +2,9 @@
 // Planning without a device.
 #include "tools/show/plan/planning.h"
 
-#include <crevice/shipped.h>
-
-#include "core/base/text.h"
 #include "core/config/decode_report.h"
 #include "core/frame/frame_math.h"
 #include "core/glsl/compiler_words.h"
-
-#include <algorithm>
-#include <limits>
 
 namespace crevice {
 

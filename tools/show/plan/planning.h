@@ -2,8 +2,6 @@
 // Planning a config where there is no graphics device: what validate and explain work on.
 #pragma once
 
-#include <crevice/compile.h>
-
 #include "tools/commands/cli/config_options.h"
 #include "tools/render/glsl/glsl_check.h"
 

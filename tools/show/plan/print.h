@@ -6,8 +6,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <string>
-
 namespace crevice {
 
 /// Text for people, stable enough to compare in tests.

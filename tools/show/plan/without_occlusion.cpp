@@ -2,8 +2,6 @@
 // Plans with and without occlusion, compared.
 #include "tools/show/plan/without_occlusion.h"
 
-#include <utility>
-
 namespace crevice {
 namespace {
 

@@ -4,8 +4,6 @@
 
 #include <crevice/compile.h>
 
-#include <vector>
-
 namespace crevice {
 
 /// The config with its param `intensity` at 0; as it is where it has none.

@@ -9,9 +9,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <string_view>
-
 namespace crevice {
 
 std::string_view benchPage();  // bench.html and what it names, put together at build

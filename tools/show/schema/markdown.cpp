@@ -6,8 +6,6 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
-
 namespace crevice {
 
 using table::Json;

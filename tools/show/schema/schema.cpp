@@ -9,8 +9,6 @@
 
 #include "core/base/text.h"
 
-#include <map>
-
 namespace crevice {
 
 using table::Json;

@@ -5,8 +5,6 @@
 
 #include <crevice/source.h>
 
-#include <string>
-
 namespace crevice {
 
 /// A JSON Schema, draft 7, of a config or module as it is written. A file may hold but a part of

@@ -5,9 +5,6 @@
 
 #include <crevice/diagnostic.h>
 
-#include <map>
-#include <string>
-
 namespace crevice {
 
 /// Paths on disk by names in the page, such as "index.html".

@@ -5,8 +5,6 @@
 #include "tools/show/view/events.h"
 #include "tools/show/view/site.h"
 
-#include <memory>
-
 namespace crevice {
 
 class Server {

@@ -9,11 +9,6 @@
 
 #include <sys/random.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <filesystem>
-#include <map>
-
 namespace crevice {
 
 // The page gets nothing from elsewhere, and nobody learns its address or shows it in a frame. Its

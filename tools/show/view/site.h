@@ -11,10 +11,6 @@
 #include "tools/show/view/page_files.h"
 #include "tools/show/view/user_files.h"
 
-#include <memory>
-#include <string>
-#include <vector>
-
 namespace crevice {
 
 struct SiteRequest {

@@ -7,8 +7,6 @@
 #include <crevice/source.h>
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tools/show/view/user_files.h"
 
-#include <crevice/config.h>
-
 #include "core/base/content_hash.h"
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/render/image/image_file.h"
 #include "tools/show/plan/planning.h"
-
-#include <algorithm>
 
 namespace crevice {
 namespace {

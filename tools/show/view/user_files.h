@@ -6,11 +6,7 @@
 #include "tools/commands/cli/watched_files.h"
 #include "tools/show/view/source_paths.h"
 
-#include <map>
 #include <mutex>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

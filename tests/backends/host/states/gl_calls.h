@@ -5,10 +5,6 @@
 #include "backends/gl/api.h"
 
 #include <array>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace crevice {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/backends/host/states/host_life.h"
 
-#include <crevice/config.h>
-#include <crevice/frame.h>
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>
 

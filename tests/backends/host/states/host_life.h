@@ -9,8 +9,6 @@
 
 #include <crevice/effect.h>
 
-#include <functional>
-
 namespace crevice {
 
 /// Of the host's pictures.

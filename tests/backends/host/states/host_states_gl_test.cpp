@@ -5,7 +5,6 @@
 #include "tests/backends/host/states/host_life.h"
 
 #include <cstdlib>
-#include <map>
 
 namespace crevice {
 

@@ -6,8 +6,6 @@
 #include "tests/backends/host/states/settings.h"
 #include "tests/backends/host/states/state_reader.h"
 
-#include <optional>
-
 namespace crevice {
 
 class RandomHost {

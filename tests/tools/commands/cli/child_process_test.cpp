@@ -6,12 +6,9 @@
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
-#include <filesystem>
 #include <new>
 
 using namespace crevice;

@@ -3,8 +3,6 @@
 // twice.
 #include "tools/measure/bench/measure.h"
 
-#include <crevice/shipped.h>
-
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/measure/bench/run.h"

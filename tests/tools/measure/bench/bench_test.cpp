@@ -2,9 +2,6 @@
 // Benches without GL: their samples, keys and figures, failures and what comes first.
 #include "tools/measure/bench/bench.h"
 
-#include <crevice/plan.h>
-#include <crevice/shipped.h>
-
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/bench/fixture.h"

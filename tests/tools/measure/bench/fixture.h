@@ -4,8 +4,6 @@
 
 #include "tools/measure/bench/sample.h"
 
-#include <string>
-
 namespace crevice {
 
 /// A sample of "room" at 960x540 and radius 1 on one device; its key says which it is. `ms` is its

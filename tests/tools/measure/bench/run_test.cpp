@@ -2,14 +2,11 @@
 // The engine without GL: failures, the time budget, and going on after what may stop it.
 #include "tools/measure/bench/run.h"
 
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/measure/bench/run_options.h"
 
 #include <nlohmann/json.hpp>
-
-#include <filesystem>
 
 using namespace crevice;
 

@@ -4,8 +4,6 @@
 #include "tools/measure/cost/check.h"
 #include "tools/measure/cost/pass_roles.h"
 
-#include <crevice/shipped.h>
-
 #include "tools/show/plan/planning.h"
 
 using namespace crevice;

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Fetches counted in frames that are drawn, against counts that are known.
 #include "tests/support/gl_fixture.h"
-#include "tests/support/need.h"
 #include "tools/commands/cli/config_options.h"
 #include "tools/measure/cost/counting_device.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene_upload.h"
-
-#include <crevice/renderer.h>
 
 #include <cmath>
 

@@ -8,8 +8,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <functional>
-
 namespace crevice {
 
 constexpr Extent kPlanted = {40, 24};

@@ -6,8 +6,6 @@
 #include "tests/tools/measure/reference/tracer_shot.h"
 #include "tools/measure/motion/flow.h"
 
-#include <filesystem>
-
 using namespace crevice;
 
 namespace {

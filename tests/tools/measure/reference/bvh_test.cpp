@@ -4,8 +4,6 @@
 
 #include "tests/support/catch.h"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <random>

@@ -5,8 +5,6 @@
 
 #include "tests/tools/measure/reference/tracer_shot.h"
 
-#include <algorithm>
-#include <memory>
 #include <thread>
 
 using namespace crevice;

@@ -3,8 +3,6 @@
 // sentence of tools/measure/reference/tracer.h, what it sees and counts as an occluder.
 #include "tests/tools/measure/reference/tracer_shot.h"
 
-#include <functional>
-
 using namespace crevice;
 
 namespace {

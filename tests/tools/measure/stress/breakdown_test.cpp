@@ -4,7 +4,6 @@
 #include "tests/tools/measure/stress/made_records.h"
 #include "tools/measure/stress/known.h"
 
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 

@@ -2,12 +2,8 @@
 // Stress cases without GL: their shots, and what a run keeps.
 #include "tools/measure/stress/figures.h"
 #include "tools/measure/stress/known.h"
-#include "tools/measure/stress/run.h"
 #include "tools/measure/stress/scenes.h"
 
-#include <crevice/shipped.h>
-
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/stress/made_records.h"

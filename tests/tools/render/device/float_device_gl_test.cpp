@@ -7,7 +7,6 @@
 #include "tools/render/output_source.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
-#include "tools/render/scene_upload.h"
 #include "tools/render/target_diagnosis.h"
 
 using namespace crevice;

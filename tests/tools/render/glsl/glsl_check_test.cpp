@@ -9,8 +9,6 @@
 #include "tests/support/test_config.h"
 #include "tools/show/plan/planning.h"
 
-#include <crevice/shipped.h>
-
 #include <sstream>
 
 using namespace crevice;

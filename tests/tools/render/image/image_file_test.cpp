@@ -9,10 +9,8 @@
 
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cstring>
-#include <limits>
 #include <tuple>
 
 using namespace crevice;

@@ -6,10 +6,8 @@
 #include "tools/render/scene/mesh_shapes.h"
 
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
-#include <utility>
 
 using namespace crevice;
 

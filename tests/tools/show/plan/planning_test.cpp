@@ -2,8 +2,6 @@
 // What `crevice validate` calls ok plans in every scene and under every camera.
 #include "tests/support/catch.h"
 
-#include <crevice/shipped.h>
-
 #include "tests/support/temporary_folder.h"
 #include "tools/show/plan/planning.h"
 

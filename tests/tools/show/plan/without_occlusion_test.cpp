@@ -2,12 +2,8 @@
 // Which geometry is drawn for the occlusion alone.
 #include "tools/show/plan/without_occlusion.h"
 
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 
-#include <crevice/shipped.h>
-
-#include "tools/commands/cli/config_options.h"
 #include "tools/show/plan/planning.h"
 
 using namespace crevice;

@@ -2,8 +2,6 @@
 // The files of a config: which they are, what is saved, and what is told of them.
 #include "tools/show/view/user_files.h"
 
-#include <crevice/source.h>
-
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

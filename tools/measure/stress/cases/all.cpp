@@ -6,7 +6,6 @@
 #include "core/base/text.h"
 #include "tools/show/plan/names.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace crevice {

@@ -5,8 +5,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <utility>
-
 namespace crevice {
 
 int addMaterial(Scene& scene, const char* name, const glm::vec3& color, float specular,

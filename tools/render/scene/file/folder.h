@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace crevice {
 

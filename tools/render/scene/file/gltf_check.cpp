@@ -9,11 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cstdint>
 #include <filesystem>
-#include <limits>
-#include <map>
 #include <set>
 
 namespace crevice {

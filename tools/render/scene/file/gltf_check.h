@@ -4,8 +4,6 @@
 
 #include <crevice/diagnostic.h>
 
-#include <string>
-
 namespace crevice {
 
 /// Reads the JSON of a .gltf or .glb file. One warning CV7010 lists what the file uses and is not

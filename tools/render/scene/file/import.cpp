@@ -19,10 +19,8 @@
 #include <assimp/Importer.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
-#include <filesystem>
 #include <new>
 #include <tuple>
 

@@ -4,8 +4,6 @@
 
 #include "tools/render/scene/scene.h"
 
-#include <map>
-
 struct aiScene;
 
 namespace crevice {

@@ -12,12 +12,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <filesystem>
-#include <map>
 #include <new>
-#include <optional>
-#include <utility>
 
 namespace crevice {
 

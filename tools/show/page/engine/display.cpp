@@ -2,7 +2,6 @@
 // Showing pictures in the canvas.
 #include "tools/show/page/engine/display.h"
 
-#include <crevice/renderer.h>
 #include <crevice/shipped.h>
 
 #include <algorithm>

@@ -2,12 +2,7 @@
 // What the canvas shows: one or two pictures of slots, beside each other, by a config of its own.
 #pragma once
 
-#include <crevice/device.h>
-#include <crevice/image.h>
 #include <crevice/renderer.h>
-
-#include <optional>
-#include <string>
 
 namespace crevice::page {
 

@@ -19,9 +19,7 @@
 #include "tools/show/plan/print.h"
 
 #include <emscripten/html5.h>
-#include <nlohmann/json.hpp>
 
-#include <array>
 #include <cmath>
 
 namespace crevice::page {

@@ -8,11 +8,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
-
 namespace crevice::page {
 
 /// What to load.

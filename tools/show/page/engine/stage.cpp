@@ -11,8 +11,6 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/matrix.hpp>
 
-#include <algorithm>
-
 namespace crevice::page {
 
 using Json = nlohmann::json;

@@ -2,13 +2,9 @@
 // The scene of the page on its device, and the camera that sees it.
 #pragma once
 
-#include "tools/render/scene/scene.h"
 #include "tools/render/scene_upload.h"
 
 #include <nlohmann/json_fwd.hpp>
-
-#include <optional>
-#include <string>
 
 namespace crevice::page {
 

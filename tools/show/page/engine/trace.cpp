@@ -2,15 +2,11 @@
 // Ray tracing in a worker of the page: a scene and a camera in, rows of visibility out.
 #include "tools/measure/reference/bvh_scene.h"
 #include "tools/measure/reference/progressive_trace.h"
-#include "tools/measure/reference/ray_scene.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene/scene_bytes.h"
 #include "tools/show/page/engine/answers.h"
 
 #include <glm/matrix.hpp>
-
-#include <memory>
-#include <optional>
 
 namespace crevice::page {
 namespace {
