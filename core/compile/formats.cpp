@@ -110,8 +110,8 @@ bool checkTexture(State& state, const ParamDesc& radius, PrecisionNeed need, Sto
 void checkVertices(State& state, const ParamDesc& radius)
 {
     const double step = state.traits.draws.vertex_step;
-    // A point and what occludes it round as both ends of a kernel do.
-    const double unseen = radius.value[0] * kUnseenProbed;
+    // A point and what occludes it round as both ends of a kernel do, and triangles tilt.
+    const double unseen = radius.value[0] * kUnseenProbed / 2;
     if (step <= unseen) return;
     report(state, Code::too_coarse,
            "vertices are rounded to " + figure(step) + " at their largest coordinates, and " +

@@ -115,7 +115,7 @@ TEST_CASE_METHOD(Lighting,
         CHECK(wrong == 0);
     };
     check("depth_normal", "forward", "1.0");
-    check("depth_normal", "deferred\", \"lighting/baked", "0.5");
+    check("depth_normal", "deferred", "0.5");
     check("linear_depth_normal", "deferred", "0.5");
     check("position_normal", "blinn_phong", "0.5");
 }

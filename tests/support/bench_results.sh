@@ -8,7 +8,7 @@ bench_sample() {
         "$key" "$failure" "$config" "$samples" "$config"
     printf '"scene":"room","camera":"","extent":{"width":960,"height":540},"radius":1,"rays":256,'
     printf '"radius_px":80,"samples":%s,"triangles":1000,"device":"device A","software":true,' "$samples"
-    printf '"version":"0.1.0","error":{"rmse":%s,"bias":0.01,"p99":0.2,"rmse_fit":%s,' "$rmse" "$rmse"
+    printf '"version":"0.1.0","error":{"rmse":%s,"bias":0.01,"p99":0.2,"pattern":0.01,"rmse_fit":%s,' "$rmse" "$rmse"
     printf '"power_fit":1,"pixels":500000},"error_without_ao":0.2,'
     printf '"clock":"wall","repeats":9,"total":{"median":%s,"q1":%s,"q3":%s},' "$ms" "$ms" "$ms"
     printf '"cost":{"median":%s,"q1":%s,"q3":%s},' "$ms" "$ms" "$ms"

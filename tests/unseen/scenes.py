@@ -223,15 +223,15 @@ def terrain(rng, size, height, count=48):
 
 FURNITURE = (table, shelf, crates, rock, ladder, stairs)
 
-def scatter(rng, makers, count, half, ground=lambda x, z: 0.0):
-    """Things at random places, none within the circle of another."""
-    parts, taken = [], []
+def scatter(rng, makers, count, half, ground=lambda x, z: 0.0, eye=None):
+    """Things at random places, none within the circle of another or within a metre of the eye."""
+    parts, taken = [], [(*eye, 1)] if eye else []
     for _ in range(count * 8):
         things = rng.choice(makers)(rng)
         reach = max(math.hypot(p[0], p[2]) for part in things for p in part.points)
         x, z = rng.uniform(-half[0], half[0]), rng.uniform(-half[1], half[1])
         beyond = abs(x) > half[0] - reach or abs(z) > half[1] - reach
-        if len(taken) == count or beyond or any(math.hypot(x - a, z - b) < reach + r for a, b, r in taken):
+        if len(taken) >= count or beyond or any(math.hypot(x - a, z - b) < reach + r for a, b, r in taken):
             continue
         taken.append((x, z, reach))
         turn = rng.choice((0, 0.5, 1, 1.5)) * math.pi + rng.uniform(-0.3, 0.3) * (rng.random() < 0.6)
@@ -242,7 +242,7 @@ def scatter(rng, makers, count, half, ground=lambda x, z: 0.0):
 
 def scene_room(rng):
     w, h, d = rng.uniform(4, 7), rng.uniform(2.4, 3.2), rng.uniform(4, 6)
-    parts = [box(w, h, d, (0, h / 2, 0), inside=True)] + scatter(rng, FURNITURE, 9, (w / 2, d / 2))
+    parts = [box(w, h, d, (0, h / 2, 0), inside=True)] + scatter(rng, FURNITURE, 9, (w / 2, d / 2), eye=(0.4 - w / 2, d / 2 - 0.4))
     for _ in range(rng.randint(2, 5)):
         r, y, z = rng.uniform(0.03, 0.09), rng.uniform(0.4, 0.95) * h, -d / 2 + rng.uniform(0.12, 0.3)
         parts.append(tube([(-w / 2 + 0.1, y, z), (w / 2 - 0.3, y, z), (w / 2 - 0.3, 0.1, z)], r, 12))

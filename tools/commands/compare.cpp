@@ -99,6 +99,7 @@ void printFigures(const ImageDifference& figures, double threshold,
           fixed(figures.bias, 6).c_str());
     print("p99       %s\n", fixed(figures.p99, 6).c_str());
     print("max       %s\n", fixed(figures.max, 6).c_str());
+    print("pattern   %s every 2 to 8 pixels\n", fixed(figures.pattern, 6).c_str());
     print("rmse_fit  %s at power %s\n", fixed(figures.rmse_fit, 6).c_str(),
           fixed(figures.power_fit, 3).c_str());
     print("psnr      %s dB\n", fixed(figures.psnr_db, 2).c_str());
@@ -117,6 +118,7 @@ void printFiguresJson(const ImageDifference& figures, double threshold,
         {"bias", figures.bias},
         {"p99", figures.p99},
         {"max", figures.max},
+        {"pattern", figures.pattern},
         {"rmse_fit", figures.rmse_fit},
         {"power_fit", figures.power_fit},
         {"psnr_db", figures.psnr_db},

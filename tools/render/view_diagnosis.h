@@ -16,7 +16,8 @@ double pixelsOf(double length, double distance, const Camera& camera, Extent ext
 /// one in view, `ao` the picture of occlusion, null where nobody asked for one.
 ///
 /// CV7008 nothing is in view; CV9003 what the plan or the picture has is the same everywhere;
-/// CV4001 the radius covers less than two pixels at the median distance, or more than the view.
+/// CV4001 the radius covers less than two pixels at the median distance, more than the view, or too
+/// few of the occlusion's own pixels, where that is smaller than the view.
 Diagnostics checkView(const Description& description, const Plan& plan, const Scene& scene,
                       const Camera& camera, std::optional<double> distance, const Image* ao);
 

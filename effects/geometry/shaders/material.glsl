@@ -34,24 +34,31 @@ vec4 materialAlbedo(vec2 at)
     return vec4(color.rgb, max(specular.r, max(specular.g, specular.b)));
 }
 
-// The unit normal on the side that the camera sees. The triangle's own plane decides which side that
-// is, so meshes with either winding, and seen from behind, are right; it also stands in where the
-// vertex normal has no length.
-highp vec3 seenNormal(highp vec3 at, highp vec3 vertex_normal)
+// The unit normal of the triangle, on the side that the camera sees.
+highp vec3 planeOf(highp vec3 at)
 {
     highp vec3 across = dFdx(at);
     highp vec3 up = dFdy(at);
     highp vec3 plane = cross(across / max(length(across), 1e-30), up / max(length(up), 1e-30));
+    highp float size = max(abs(plane.x), max(abs(plane.y), abs(plane.z)));
+    if (!(size > 0.0)) return vec3(0.0, 0.0, 1.0);
     // Of a pixel at a horizon the neighbour may be extrapolated to behind the camera, which turns the product.
 #if CAMERA_ORTHOGRAPHIC
     bool turned = plane.z < 0.0;
 #else
     bool turned = dot(plane, at) > 0.0;
 #endif
-    if (turned) plane = -plane;
-    if (dot(plane, plane) == 0.0) plane = vec3(0.0, 0.0, 1.0);
+    return normalize(turned ? -plane / size : plane / size);
+}
+
+// The unit normal on the side that the camera sees. The triangle's own plane decides which side that
+// is, so meshes with either winding, and seen from behind, are right; it also stands in where the
+// vertex normal has no length.
+highp vec3 seenNormal(highp vec3 at, highp vec3 vertex_normal)
+{
+    highp vec3 plane = planeOf(at);
     highp float size = max(abs(vertex_normal.x), max(abs(vertex_normal.y), abs(vertex_normal.z)));
-    highp vec3 n = size > 0.0 ? normalize(vertex_normal / size) : normalize(plane);
+    highp vec3 n = size > 0.0 ? normalize(vertex_normal / size) : plane;
     return dot(n, plane) < 0.0 ? -n : n;
 }
 

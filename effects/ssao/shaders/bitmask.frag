@@ -64,24 +64,13 @@ mediump float countOf(uint mask)
     return float((((fours + (fours >> 4u)) & 0x0f0f0f0fu) * 0x01010101u) >> 24u);
 }
 
-// What `max_gap` counts as where backs are known: thicknesses then are those of the scene, most of them less than
-// `thickness`, and of two layers the second shows what gaps would have to stand for.
-#if SECOND_LAYER
-const mediump float kGap = 8.0 / 6.0;
-#elif BACK_FACES
-const mediump float kGap = 5.0;
-#else
-const mediump float kGap = 1.0;
-#endif
-
-// How much of what lies between two neighbouring taps is filled: half of a gap in depth as large as the nearer of them
-// is deep, times `max_gap` and the spacing of the taps, or as the radius. `step_here` is towards the camera.
-mediump float filledBetween(Trail trail, mediump float step_here, mediump float deep)
+// How much of what lies between two neighbouring taps is filled: half of a gap in depth, from the nearer one's back on,
+// that is `max_gap` times as large as what of all steps lies between them, `apart`. `step_here` is towards the camera.
+mediump float filledBetween(Trail trail, mediump float step_here, mediump float deep, mediump float apart)
 {
     mediump float uneven = unevenStep(step_here, trail.step);
-    mediump float nearer = uneven > 0.0 ? deep : trail.deep;
-    mediump float gap = max(abs(uneven) - nearer, 0.0);
-    mediump float filled = clamp(kGap / float(STEPS) * max_gap * nearer, 1e-2, 1.0);
+    mediump float gap = max(abs(uneven) - (uneven > 0.0 ? deep : trail.deep), 0.0);
+    mediump float filled = clamp(max_gap * apart, 1e-2, 1.0);
     return filled * filled / (filled * filled + gap * gap);  // filledShare(gap / filled), by one division
 }
 
@@ -90,16 +79,16 @@ mediump float sectorOf(Side side, mediump vec2 at)
     return clamp(kSectors / side.whole * (lightUnder(side, at) - side.below), 0.0, kSectors);
 }
 
-// The sectors blocked by something whose front is `at` and which is `deep` along its ray `away`, as far as it lies
-// within the radius; and by the surface that joins it to the tap before, without which few taps would miss most of what
-// blocks.
-uint blockedBy(Side side, mediump vec2 at, mediump vec2 away, mediump float deep, inout Trail trail)
+// The sectors blocked by something whose front is `at` and which is `deep` along its ray `away`, within the radius; and by
+// the surface that joins it to the tap before, without which few taps would miss most.
+uint blockedBy(Side side, mediump vec2 at, mediump vec2 away, mediump float deep, mediump float apart,
+               inout Trail trail)
 {
     mediump float square = dot(at, at);
     mediump float near = dot(trail.at, trail.at);
     mediump vec2 way = at - trail.at;
     mediump float step_here = dot(way, side.towards);
-    mediump float filled = near < 1.0 ? filledBetween(trail, step_here, deep) : 0.0;
+    mediump float filled = near < 1.0 ? filledBetween(trail, step_here, deep, apart) : 0.0;
 
     // The ray is within the radius from -along - root to root - along: |at + s away| = 1, solved for s.
     mediump float along = dot(at, away);
@@ -134,11 +123,13 @@ mediump float lengthOf(mediump float stored)
 uint blockedOn(March march, Side side, bool second)
 {
     uint blocked = 0u;
-    highp vec2 place = side.first;
+    highp float place = 0.0;
     Trail trail = Trail(vec2(second ? 2.0 : 0.0), 0.0, second ? 0.0 : thickness, 0.0, vec2(0.0));  // 2: nothing near
     for (int i = 0; i < STEPS; ++i) {
-        highp vec2 texel = texelOf(march, place);
-        place += side.step;
+        mediump float apart = -place;
+        place = placeOf(march, side, i);
+        apart += place;
+        highp vec2 texel = texelOf(march, march.pixel + place * float(STEPS) * side.step);
         mediump vec2 at = withinSlice(side, offsetAt(march, texel));
         mediump vec2 away = normalize(at * march.nearness - side.towards);
         mediump float deep = thickness;
@@ -148,9 +139,13 @@ uint blockedOn(March march, Side side, bool second)
         if (stored < 1.0) deep = lengthOf(stored);
 #endif
 #if SECOND_LAYER
-        if (second) at += away * min(lengthOf(layers.y), 40.0);
+        if (second) {
+            // Farther by what the texture rounds: what goes on behind an edge is not to stand out.
+            mediump float behind = lengthOf(layers.y);
+            at += away * min(behind + SOURCE_LAYERS_STEP.x * (1.0 + behind) * (1.0 + behind), 40.0);
+        }
 #endif
-        blocked |= blockedBy(side, at, away, deep, trail);
+        blocked |= blockedBy(side, at, away, deep, apart, trail);
     }
     // Off the screen the surface last seen goes on until it leaves the radius.
     if (side.cut && !second && dot(trail.at, trail.at) < 1.0)

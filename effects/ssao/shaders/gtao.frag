@@ -6,18 +6,20 @@
 //   ao                           visibility, 1 open .. 0 blocked; 1 in the background
 //   bent_normal                  with BENT_NORMALS: mean open direction, view space, stored as n * 0.5 + 0.5
 //
-// Everything below the highest tap of a side counts as blocked. A tap beyond the radius does not count; where the
+// Everything below the highest tap of a side counts as blocked, but less of what stands farther in front of the surface
+// beside it than it is thick, behind which light passes. A tap beyond the radius does not count; where the
 // surface leaves the radius between two taps, the place where it does is interpolated, without which few taps see too
 // low a horizon. Off the screen the surface last seen goes on.
 // [Jimenez et al. 2016] - algorithm 1; the bent normal is algorithm 2. They fade taps towards the radius; the
-// interpolation is ours.
+// interpolation and the thickness are ours.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;
 
 #include "ssao/shaders/march.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 
-uniform float max_gap;
+uniform mediump float max_gap;
+uniform mediump float thickness;
 
 layout(location = 0) out float ao;
 #ifdef BENT_NORMALS
@@ -33,20 +35,24 @@ mediump float horizonOf(March march, Side side, int steps)
     mediump float near = 0.0;         // its distance, squared
     mediump float step_before = 0.0;
     mediump float filled = 1.0;
-    mediump float per_gap = float(STEPS) / max_gap;
-    highp vec2 place = side.first;
+    highp float place = 0.0;
     for (int i = 0; i < steps; ++i) {
-        mediump vec2 at = withinSlice(side, offsetAt(march, texelOf(march, place)));
-        place += side.step;
+        mediump float apart = -place;
+        place = placeOf(march, side, i);
+        apart += place;
+        highp vec2 pixel = march.pixel + place * float(STEPS) * side.step;
+        mediump vec2 at = withinSlice(side, offsetAt(march, texelOf(march, pixel)));
         way = at - before;
         mediump float step_here = dot(way, side.towards);
-        filled = filledShare(unevenStep(step_here, step_before) * per_gap);
+        mediump float uneven = unevenStep(step_here, step_before) / apart;
+        filled = filledShare(uneven / max_gap);
+        mediump float joined = filledShare(max(uneven - thickness / apart, 0.0));
         mediump float far = dot(at, at);
         bool inside = far < 1.0;
         // Of a surface that goes on beyond the radius, where it leaves it.
         mediump vec2 seen = inside ? at * inversesqrt(max(far, 1e-5)) : before + min(leaving(before, way), 1.0) * way;
         mediump float lower = isOver(side, seen) ? max(horizon - seen.x, 0.0) : 0.0;
-        horizon -= inside ? lower : near < 1.0 ? filled * filled * lower : 0.0;
+        horizon -= inside ? joined * lower : near < 1.0 ? filled * filled * lower : 0.0;
         before = at;
         near = far;
         step_before = step_here;

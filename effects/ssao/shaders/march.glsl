@@ -131,8 +131,9 @@ struct Side {
     mediump float projected_length;  // of the unit normal, projected onto the slice
     mediump float below;  // the light below the plane
     mediump float whole;  // the light of all of it, over the plane
-    highp vec2 step;     // from tap to tap, in pixels
-    highp vec2 first;    // where the first lies
+    highp vec2 step;     // from tap to tap where they lie evenly, in pixels
+    highp vec2 first;    // where the first of those lies
+    highp float pixel;   // one, of all steps
     bool cut;            // the screen or its guard band ends before the radius does
 };
 
@@ -175,9 +176,8 @@ mediump float leaving(mediump vec2 at, mediump vec2 way)
 }
 
 // Slices lie evenly over half a turn about the view ray, not on the screen: towards the edge of a wide view
-// the two differ by a third. Taps lie evenly from the pixel to somewhat beyond the radius, so that the surface is seen
-// to leave it, and at most up to the edge; the first is a pixel away, at least. Ours: of four steps the last lies at
-// 0.9 to 1.2 radii.
+// the two differ by a third. Taps lie from the pixel to somewhat beyond the radius, so that the surface is seen to leave
+// it, and at most up to the edge; the first is a pixel away, at least. Ours.
 // [Jimenez et al. 2016: lines 5 to 15 of algorithm 1, which turns about the view axis]
 Side sideOf(March march, int i)
 {
@@ -225,9 +225,18 @@ Side sideOf(March march, int i)
     side.step = pixels * min(1.0 / (float(STEPS) - 0.6), edge / float(STEPS));
     side.cut = edge < 1.0;
     highp float least = inversesqrt(max(dot(side.step, side.step), 1e-12));
+    side.pixel = least / float(STEPS);
     least = min(least, max(edge * (float(STEPS) - 0.6), float(STEPS)) - float(STEPS - 1));  // the last within the edge
     side.first = march.pixel + side.step * max(march.noise.y, least);
     return side;
+}
+
+// How far along all steps a tap lies, 0..1: of many, closer near the pixel, where what is small blocks much; none on
+// another's texel. [Strugar, McCalla 2021 - with a power]
+highp float placeOf(March march, Side side, int i)
+{
+    highp float even = (float(i) + march.noise.y) / float(STEPS);
+    return min(max(even * mix(0.4 + 1.8 / float(STEPS), 1.0, even), side.pixel * float(i + 1)), 1.0);
 }
 
 // The texel that a tap at `pixel` reads. Far off only every fourth row is read, the next towards the middle of the

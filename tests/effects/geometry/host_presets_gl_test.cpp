@@ -42,7 +42,8 @@ TEST_CASE("A preset on a host's surface is the same preset drawn, without band, 
         INFO(preset);
         const Image ours = hosted.occlusion(preset, drawn, 4);
         CHECK(mean(ours) < 0.98);
-        CHECK(meanChange(hosted.occlusion(preset, {module}, 4), ours) < 1e-4);
+        // A host has no planes: they are rebuilt from its depth.
+        CHECK(meanChange(hosted.occlusion(preset, {module}, 4), ours) < 2e-3);
     }
 }
 

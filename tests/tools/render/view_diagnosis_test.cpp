@@ -43,9 +43,10 @@ Scene scaled(Scene scene, double scale)
 }
 
 // What is said of the config in the scene, framed, at that radius; 0 leaves the config's own.
-Diagnostics saidOf(const Scene& scene, const std::string& set, const Image* ao = nullptr)
+Diagnostics saidOf(const Scene& scene, const std::string& set, const Image* ao = nullptr,
+                   const char* config = "gtao")
 {
-    LoadRequest request = {"gtao"};
+    LoadRequest request = {config};
     if (!set.empty()) request.overrides = {set};
     const Description description =
         need(decode(need(loadConfig(shippedSources(), request)), shippedSources()));
@@ -99,6 +100,15 @@ TEST_CASE("ambient occlusion that is 1 everywhere is reported with its cause, un
     Image some = open;
     some.pixels.back() = 0.5f;
     CHECK(saidOf(spheres(), "", &some).empty());
+}
+
+TEST_CASE("a radius of few pixels of occlusion at half the size is reported, with the full size")
+{
+    CHECK(saidOf(spheres(), "radius=0.2", nullptr, "gtao").empty());
+    CHECK(saidOf(spheres(), "", nullptr, "balanced").empty());
+    const Diagnostic warning = only(saidOf(spheres(), "radius=0.2", nullptr, "balanced"));
+    CHECK(warning.code == Code::out_of_range);
+    CHECK(warning.help.find("ao_scale=1") != std::string::npos);
 }
 
 TEST_CASE("a radius of 0 is 0 pixels")

@@ -263,7 +263,7 @@ Status BenchMeter::measureErrors(const Image& ao, BenchSample& sample)
     if (figures->non_finite > 0)
         return Diagnostic{Code::not_finite, "the occlusion is not a number in " +
                                                 std::to_string(figures->non_finite) + " pixels"};
-    sample.error = {figures->rmse,     figures->bias,      figures->p99,
+    sample.error = {figures->rmse,     figures->bias,      figures->p99,   figures->pattern,
                     figures->rmse_fit, figures->power_fit, figures->pixels};
     const Image open(ao.extent, 1, 1.0f);
     if (const auto without = compareImages(open, *setting_->ground_truth))

@@ -15,7 +15,8 @@ namespace crevice {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Extent, width, height)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, pattern, rmse_fit, power_fit,
+                                   pixels)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChangeFigures, rms, p99, p999, truth, rmse, changes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(UncoveredFigures, frames, rmse)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionFigures, paths, settled_after, uncovered, uncovered_rest,
@@ -52,6 +53,8 @@ BenchSample parseSample(nlohmann::json value)
     value.emplace("motion_failure", "");
     value.emplace("cost_with_geometry", TimeFigures());
     value.emplace("ratio_with_geometry", 0.0);
+    if (value.contains("error") && value["error"].is_object())
+        value["error"].emplace("pattern", 0.0);
     BenchSample sample = value.get<BenchSample>();
     if (not_finite && sample.failure.empty()) sample.failure = "a figure is not finite";
     return sample;

@@ -31,6 +31,7 @@ struct ErrorFigures {
     double rmse = 0;
     double bias = 0;
     double p99 = 0;
+    double pattern = 0;
     double rmse_fit = 0;
     double power_fit = 1;
     long long pixels = 0;

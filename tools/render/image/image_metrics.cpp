@@ -141,6 +141,43 @@ void addErrors(const Pairs& pairs, double threshold, ImageDifference& figures)
     figures.p99 = errors[rank];
 }
 
+double patternOf(const Image& test, const Image& ground_truth, const Image* mask)
+{
+    const int width = ground_truth.extent.width, height = ground_truth.extent.height;
+    // Of all pixels above and to the left: errors, and pixels that count.
+    const std::size_t row = width + 1;
+    std::vector<double> errors(row * (height + 1)), counts(errors);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const bool counts_here =
+                !masked(ground_truth, mask, x, y, 1) && finitePixel(test, x, y, 1);
+            const auto add = [&](std::vector<double>& sums, double value) {
+                const std::size_t at = (y + 1) * row + x + 1;
+                sums[at] = value + sums[at - 1] + sums[at - row] - sums[at - row - 1];
+            };
+            add(errors, counts_here ? double{test.at(x, y)} - ground_truth.at(x, y) : 0.0);
+            add(counts, counts_here);
+        }
+    }
+    const auto sum = [&](const std::vector<double>& sums, int x, int y, int reach) {
+        const std::size_t left = std::max(x - reach, 0), right = std::min(x + reach + 1, width);
+        const std::size_t low = std::max(y - reach, 0), high = std::min(y + reach + 1, height);
+        return sums[high * row + right] - sums[high * row + left] - sums[low * row + right] +
+               sums[low * row + left];
+    };
+    double squares = 0, pixels = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (sum(counts, x, y, 0) < 0.5) continue;
+            const double off = sum(errors, x, y, 1) / sum(counts, x, y, 1) -
+                               sum(errors, x, y, 4) / sum(counts, x, y, 4);
+            squares += off * off;
+            pixels += 1;
+        }
+    }
+    return pixels > 0 ? std::sqrt(squares / pixels) : 0.0;
+}
+
 void setPixel(Image& image, int x, int y, float red, float green, float blue)
 {
     image.at(x, y, 0) = red;
@@ -159,6 +196,7 @@ Result<ImageDifference> compareImages(const Image& test, const Image& ground_tru
     const Pairs pairs = collectPairs(test, ground_truth, mask, figures);
     if (pairs.test.empty()) return figures;
     addErrors(pairs, threshold, figures);
+    figures.pattern = patternOf(test, ground_truth, mask);
     if (fit) fitPower(pairs, figures);
     return figures;
 }

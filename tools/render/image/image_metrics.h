@@ -13,6 +13,9 @@ struct ImageDifference {
     double bias = 0;       ///< Mean of (test - ground truth): above 0 is too bright.
     double p99 = 0;        ///< 99th percentile of the absolute error.
     double max = 0;        ///< Largest absolute error.
+    /// What of the error repeats every 2 to 8 pixels or so: beads, teeth, bands, blotches. rms of
+    /// the first channel's mean error over 3x3 pixels less that over 9x9.
+    double pattern = 0;
     double rmse_fit = 0;   ///< Least rmse of (test^p - ground truth), negative tests counting as 0.
     double power_fit = 1;  ///< That p, in [0.1, 10]: contrast, distinguished from shape.
     double psnr_db = 0;    ///< 20 log10(1 / rmse); infinite for equal images.

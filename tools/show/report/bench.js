@@ -102,6 +102,7 @@ function showSample(panel, s) {
 
 const COLUMNS = [
   ["error", s => error(s.error.rmse)], ["bias", s => s.error.bias.toFixed(4)], ["p99", s => s.error.p99.toFixed(3)],
+  ["pattern", s => error(s.error.pattern)],
   ["fitted (power)", s => `${error(s.error.rmse_fit)} (${s.error.power_fit.toFixed(2)})`],
   ["cost, ms", s => three(s.cost.median)], ["middle half", s => `${three(s.cost.q1)}–${three(s.cost.q3)}`],
   ["× copy", s => times(s.ratio_copy)], ["× learnopengl", s => times(s.ratio_learnopengl)],

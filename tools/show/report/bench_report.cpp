@@ -153,6 +153,7 @@ constexpr const char* kColumns[][2] = {
     {"rmse", "/error/rmse"},
     {"bias", "/error/bias"},
     {"p99", "/error/p99"},
+    {"pattern", "/error/pattern"},
     {"rmse_fit", "/error/rmse_fit"},
     {"power_fit", "/error/power_fit"},
     {"rmse_without_ao", "/error_without_ao"},

@@ -57,6 +57,21 @@ TEST_CASE("the 99th percentile passes over one pixel in a hundred")
     CHECK(compare(test, ramp(100)).p99 == Approx(0.25));
 }
 
+TEST_CASE("the pattern is what of an error repeats every few pixels, and no other")
+{
+    const auto patternOf = [](auto error) {
+        Image test({64, 48}, 1, 0.5f);
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x) test.at(x, y) += 0.1f * error(x, y);
+        return compare(test, Image({64, 48}, 1, 0.5f)).pattern;
+    };
+    CHECK(patternOf([](int, int) { return 1; }) < 1e-6);
+    CHECK(patternOf([](int x, int y) { return (x + y) % 2 ? 1 : -1; }) < 0.02);
+    CHECK(patternOf([](int x, int) { return x / 64.0; }) < 0.01);
+    CHECK(patternOf([](int x, int) { return x % 6 < 3 ? 1 : -1; }) > 0.06);
+    CHECK(patternOf([](int x, int y) { return (x / 4 + y / 4) % 2 ? 1 : -1; }) > 0.05);
+}
+
 TEST_CASE("the fit finds the power that was applied, and is never worse than none")
 {
     for (const double power : {0.2, 0.5, 1.8, 5.0}) {
