@@ -110,6 +110,29 @@ std::vector<MeshEdge> sortedEdges(const std::vector<std::uint32_t>& positions)
     return edges;
 }
 
+std::vector<std::uint32_t> surfacesOf(const MeshDesc& mesh)
+{
+    const std::vector<std::uint32_t> positions = welded(mesh.vertices);
+    std::vector<std::uint32_t> surfaces, numbers(mesh.vertices.size(), kNoSurface);
+    Groups groups(mesh.vertices.size());
+    const auto place = [&](std::size_t corner) { return positions[mesh.indices[corner]]; };
+    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
+        const bool solid = areaOf(mesh, &mesh.indices[first]) > 0.0;
+        surfaces.push_back(solid ? 0 : kNoSurface);
+        if (!solid) continue;
+        groups.join(place(first), place(first + 1));
+        groups.join(place(first + 1), place(first + 2));
+    }
+    std::uint32_t count = 0;
+    for (std::size_t k = 0; k < surfaces.size(); ++k) {
+        if (surfaces[k] == kNoSurface) continue;
+        std::uint32_t& number = numbers[groups.find(place(3 * k))];
+        if (number == kNoSurface) number = count++;
+        surfaces[k] = number;
+    }
+    return surfaces;
+}
+
 std::vector<std::uint32_t> sheetsOf(const MeshDesc& mesh)
 {
     const std::vector<std::uint32_t> positions = welded(mesh.vertices);

@@ -27,6 +27,12 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
+constexpr std::uint32_t kNoSurface = ~0u;
+
+/// For each triangle the number of its connected surface, from 0 on; kNoSurface for one without
+/// area, such as those at poles. Vertices within a hair of the mesh's size are one.
+std::vector<std::uint32_t> surfacesOf(const MeshDesc& mesh);
+
 /// A triangle's edge, by the positions of its ends, and the corner that it begins at.
 struct MeshEdge {
     std::uint64_t ends;

@@ -119,7 +119,7 @@ enum class Code : int {
     cannot_write = 7007,    ///< A file or folder that cannot be written.
     nothing_seen = 7008,    ///< A camera that sees no surface.
     results_broken = 7009,  ///< Bench results that cannot be read.
-    scene_features = 7010,  ///< A scene file that uses what is not drawn (a warning).
+    scene_features = 7010,  ///< A scene file that is not drawn as it is (a warning).
     page_missing = 7011,    ///< The page of `crevice view` is not there.
 
     // what a frame's targets hold (crevice doctor)

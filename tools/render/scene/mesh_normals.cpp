@@ -18,6 +18,16 @@ namespace {
 constexpr double kDegreeInRadians = 3.14159265358979323846 / 180.0;
 constexpr std::uint32_t kNone = ~0u;
 
+// A normal leans up to 90 degrees from its face's, and as far beyond as normals in bytes are off.
+constexpr double kFacesAway = -0.02;  // cosine
+
+// Area, of the distance from the origin squared, of triangles too thin for floats to say where they
+// face.
+constexpr double kThin = 1e-7;
+
+// Of the largest triangle: area of those that rounding alone gives one, such as those at poles.
+constexpr double kNoArea = 1e-9;
+
 glm::dvec3 positionOf(const Vertex& vertex) { return glm::make_vec3(vertex.position); }
 
 // Along the normal of the triangle, and twice as long as its area is large.
@@ -26,12 +36,20 @@ glm::dvec3 areaOf(const Vertex& a, const Vertex& b, const Vertex& c)
     return glm::cross(positionOf(b) - positionOf(a), positionOf(c) - positionOf(a));
 }
 
+glm::dvec3 areaOf(const MeshDesc& mesh, std::size_t triangle)
+{
+    const std::uint32_t* const at = &mesh.indices[3 * triangle];
+    return areaOf(mesh.vertices[at[0]], mesh.vertices[at[1]], mesh.vertices[at[2]]);
+}
+
+glm::dvec3 normalOf(const Vertex& vertex) { return glm::make_vec3(vertex.normal); }
+
 void setNormal(Vertex& vertex, const glm::dvec3& normal)
 {
     for (int axis = 0; axis < 3; ++axis) vertex.normal[axis] = static_cast<float>(normal[axis]);
 }
 
-bool hasNormal(const Vertex& vertex) { return glm::make_vec3(vertex.normal) != glm::vec3(0); }
+bool hasNormal(const Vertex& vertex) { return normalOf(vertex) != glm::dvec3(0.0); }
 
 // Zero where it has no length.
 glm::dvec3 unit(const glm::dvec3& vector)
@@ -56,6 +74,22 @@ std::vector<glm::dvec3> faceNormals(const std::vector<Vertex>& corners)
     for (std::size_t first = 0; first + 2 < corners.size(); first += 3)
         normals.push_back(unit(areaOf(corners[first], corners[first + 1], corners[first + 2])));
     return normals;
+}
+
+// Of triangles: those that share an edge with one other, and pass along it in opposite directions.
+Groups woundAlike(const MeshDesc& mesh)
+{
+    std::vector<std::uint32_t> positions = mesh.indices;
+    const std::vector<std::uint32_t> first = firstEqual(mesh.vertices, sizeof(Vertex::position));
+    for (std::uint32_t& each : positions) each = first[each];
+    const std::vector<MeshEdge> edges = sortedEdges(positions);
+    Groups groups(positions.size() / 3);
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+        while (end < edges.size() && edges[end].ends == edges[begin].ends) ++end;
+        const std::uint32_t a = edges[begin].corner, b = edges[end - 1].corner;
+        if (end - begin == 2 && positions[a] != positions[b]) groups.join(a / 3, b / 3);
+    }
+    return groups;
 }
 
 Groups smoothGroups(const std::vector<std::uint32_t>& positions,
@@ -102,17 +136,43 @@ void smoothNormals(MeshDesc& mesh, double crease_degrees)
 
 void windByNormals(MeshDesc& mesh)
 {
-    double facing = 0;
-    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
-        const Vertex* corners[3];
-        for (std::size_t k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[first + k]];
-        const glm::dvec3 area = areaOf(*corners[0], *corners[1], *corners[2]);
-        for (const Vertex* corner : corners)
-            facing += glm::dot(area, glm::dvec3(glm::make_vec3(corner->normal)));
+    std::vector<double> facing(mesh.indices.size() / 3), sums(facing.size());
+    double largest = 0;
+    for (std::size_t k = 0; k < facing.size(); ++k) {
+        const std::uint32_t* const at = &mesh.indices[3 * k];
+        glm::dvec3 normals = normalOf(mesh.vertices[at[0]]);
+        for (int corner : {1, 2}) normals += normalOf(mesh.vertices[at[corner]]);
+        facing[k] = glm::dot(areaOf(mesh, k), normals);
+        largest = std::max(largest, facing[k]);
     }
-    if (!(facing < 0)) return;
-    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3)
-        std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
+    const auto against = [&](double each) { return each < -kNoArea * largest; };
+    if (std::none_of(facing.begin(), facing.end(), against)) return;
+    Groups groups = woundAlike(mesh);
+    for (std::uint32_t k = 0; k < facing.size(); ++k) sums[groups.find(k)] += facing[k];
+    for (std::uint32_t k = 0; k < facing.size(); ++k)
+        if (sums[groups.find(k)] < 0) std::swap(mesh.indices[3 * k + 1], mesh.indices[3 * k + 2]);
+}
+
+std::size_t turnNormals(MeshDesc& mesh)
+{
+    std::size_t triangles = 0;
+    for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
+        const glm::dvec3 area = areaOf(mesh, k / 3);
+        const double least = kFacesAway * glm::length(area);
+        int turned = 0;
+        for (std::size_t corner = k; corner < k + 3; ++corner) {
+            Vertex vertex = mesh.vertices[mesh.indices[corner]];
+            const glm::dvec3 place = positionOf(vertex);
+            if (!(glm::dot(area, normalOf(vertex)) < least)) continue;
+            if (glm::length(area) < kThin * glm::dot(place, place)) continue;
+            ++turned;
+            setNormal(vertex, unit(area));
+            mesh.indices[corner] = static_cast<std::uint32_t>(mesh.vertices.size());
+            mesh.vertices.push_back(vertex);
+        }
+        triangles += turned > 1;
+    }
+    return triangles;
 }
 
 void fillNormals(MeshDesc& mesh)
@@ -145,14 +205,16 @@ void joinVertices(MeshDesc& mesh)
     mesh.vertices = std::move(joined);
 }
 
-void finishMesh(MeshDesc& mesh, bool has_normals, double crease_degrees)
+std::size_t finishMesh(MeshDesc& mesh, bool has_normals, double crease_degrees)
 {
     if (has_normals)
         windByNormals(mesh);
     else
         smoothNormals(mesh, crease_degrees);
+    const std::size_t turned = has_normals ? turnNormals(mesh) : 0;
     fillNormals(mesh);
     joinVertices(mesh);
+    return turned;
 }
 
 }  // namespace crevice

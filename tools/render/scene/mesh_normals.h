@@ -12,9 +12,14 @@ namespace crevice {
 /// edge. Afterwards each triangle has vertices of its own; joinVertices shares them again.
 void smoothNormals(MeshDesc& mesh, double crease_degrees);
 
-/// Winds the triangles the other way round where most of their area faces away from the normals of
-/// its vertices: the file's normals say which side is out.
+/// Winds the triangles of a surface the other way round where most of their area faces away from
+/// the normals of its vertices: the file's normals say which side is out. Triangles on both sides
+/// of an edge are one surface where they are wound alike.
 void windByNormals(MeshDesc& mesh);
+
+/// Normals more than 90 degrees from their face's become it, at vertices of that triangle alone.
+/// Returns of how many triangles that were most: where a curve is cut into few, some lean so far.
+std::size_t turnNormals(MeshDesc& mesh);
 
 /// Normals of length zero become their face's, or +z where the face has no area.
 void fillNormals(MeshDesc& mesh);
@@ -26,7 +31,7 @@ void joinVertices(MeshDesc& mesh);
 constexpr double kGltfCreaseDegrees = 0.0;
 
 /// All of these, for a mesh as a file has it: winds it by its normals, or makes them where the file
-/// has none.
-void finishMesh(MeshDesc& mesh, bool has_normals, double crease_degrees);
+/// has none. Returns what turnNormals does.
+std::size_t finishMesh(MeshDesc& mesh, bool has_normals, double crease_degrees);
 
 }  // namespace crevice

@@ -202,6 +202,23 @@ TEST_CASE("a file without lights can be seen, and importing it adds none")
     CHECK(importScene(path)->lights.empty());
 }
 
+TEST_CASE("a file has one warning that counts what faces the wrong way, or none")
+{
+    const std::string cube = kCube, corners = cube.substr(0, cube.find('f'));
+    const std::string inside_out =
+        "f 2 3 4 1\nf 8 7 6 5\nf 5 6 2 1\nf 3 7 8 4\nf 4 8 5 1\nf 6 7 3 2\n";
+    const std::string away =
+        "v 0 0 -3\nv 5 0 -3\nv 5 5 -3\nv 0 1 -3\nvn 0 0 1\nvn 0 0 -1\n"
+        "f -4//1 -3//1 -2//1\nf -4//2 -2//2 -1//2\n";
+    const Result<Scene> wrong = importText("wrong.obj", corners + inside_out + away);
+    REQUIRE(wrong.ok());
+    REQUIRE(wrong.diagnostics().size() == 1);
+    CHECK(wrong.diagnostics()[0].code == Code::scene_features);
+    for (const char* const count : {" 1 of its triangles", " 1 of its closed surfaces"})
+        CHECK(wrong.diagnostics()[0].message.find(count) != std::string::npos);
+    CHECK(importText("right.obj", cube).diagnostics().empty());
+}
+
 TEST_CASE("a fan around one vertex does not cost its square")
 {
     constexpr int kBlades = 30000;  // a quadratic import took a minute for these

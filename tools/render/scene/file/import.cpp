@@ -111,7 +111,7 @@ Vertex vertexFrom(const aiMesh& mesh, unsigned index)
     return vertex;
 }
 
-MeshDesc meshFrom(const aiMesh& from, double crease_degrees)
+MeshDesc meshFrom(const aiMesh& from, double crease_degrees, std::size_t& turned)
 {
     MeshDesc mesh;
     mesh.label = from.mName.C_Str();
@@ -124,7 +124,7 @@ MeshDesc meshFrom(const aiMesh& from, double crease_degrees)
         if (face.mNumIndices == 3)
             mesh.indices.insert(mesh.indices.end(), face.mIndices, face.mIndices + 3);
     }
-    finishMesh(mesh, from.HasNormals(), crease_degrees);
+    turned += finishMesh(mesh, from.HasNormals(), crease_degrees);
     return mesh;
 }
 
@@ -193,6 +193,19 @@ bool hasArea(const Scene& scene)
     return false;
 }
 
+Diagnostic turnedWarning(const std::string& path, std::size_t triangles, std::size_t surfaces)
+{
+    std::vector<std::string> wrong;
+    if (triangles > 0)
+        wrong.push_back("normals that face away from " + std::to_string(triangles) +
+                        " of its triangles");
+    if (surfaces > 0)
+        wrong.push_back(std::to_string(surfaces) + " of its closed surfaces inside out");
+    return asWarning({Code::scene_features,
+                      "the scene '" + path + "' has " + joined(wrong, " and "),
+                      "they are turned; have normals recalculated where the file comes from"});
+}
+
 Scene sceneFrom(const aiScene& from, const std::string& path, SceneFolder& folder,
                 Diagnostics& warnings)
 {
@@ -200,10 +213,13 @@ Scene sceneFrom(const aiScene& from, const std::string& path, SceneFolder& folde
     scene.name = std::filesystem::path(path).stem().string();
     importMaterials(from, path, folder, scene, warnings);
     const double crease = isGltf(path) ? kGltfCreaseDegrees : kCreaseDegrees;
+    std::size_t faces = 0;
     for (unsigned index = 0; index < from.mNumMeshes; ++index)
-        scene.meshes.push_back(meshFrom(*from.mMeshes[index], crease));
+        scene.meshes.push_back(meshFrom(*from.mMeshes[index], crease, faces));
     const NodePlaces places = importNodes(from, scene);
     importCameras(from, path, places, scene);
+    const std::size_t surfaces = turnInsideOut(scene);
+    if (faces + surfaces > 0) warnings.push_back(turnedWarning(path, faces, surfaces));
     importLights(from, places, scene);
     return scene;
 }

@@ -40,6 +40,11 @@ bool isGltf(const std::string& path);
 void importCameras(const aiScene& from, const std::string& path, const NodePlaces& places,
                    Scene& scene);
 
+/// Turns closed surfaces that are inside out, winding and normals, and returns how many. A room
+/// that is seen from inside is no such surface: a camera, or the centre of another surface's box,
+/// is in its box.
+std::size_t turnInsideOut(Scene& scene);
+
 /// Appends point, spot and directional lights. Files give candela, lux, watts or plain fractions;
 /// here a colour is what arrives at the centre of the scene, relative to what the brightest light
 /// brings there (whose largest channel is 1). Needs the scene's meshes and instances.
