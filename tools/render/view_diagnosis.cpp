@@ -122,10 +122,10 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
         return {asWarning({Code::out_of_range, size + ", more than the view is high", help})};
     const double share = aoShare(plan);
     if (share < 1 && now * unit_px * share < kLeastAoPixels)
-        return {asWarning({Code::out_of_range,
-                           size + ", too few for occlusion at " + figure(rounded(share)) +
-                               " of the resolution",
-                           "try --set ao_scale=1, or a config at full resolution such as gtao"})};
+        return {asWarning(
+            {Code::out_of_range,
+             size + ", too few for occlusion at " + figure(rounded(share)) + " of the resolution",
+             "try --set ao_scale=1, or a config at full resolution such as gtao"})};
     return {};
 }
 

@@ -9,10 +9,10 @@ namespace crevice {
 
 /// Figures over the first channel of the pixels that count. All are 0 when no pixel does.
 struct ImageDifference {
-    double rmse = 0;       ///< Root mean square of (test - ground truth).
-    double bias = 0;       ///< Mean of (test - ground truth): above 0 is too bright.
-    double p99 = 0;        ///< 99th percentile of the absolute error.
-    double max = 0;        ///< Largest absolute error.
+    double rmse = 0;  ///< Root mean square of (test - ground truth).
+    double bias = 0;  ///< Mean of (test - ground truth): above 0 is too bright.
+    double p99 = 0;   ///< 99th percentile of the absolute error.
+    double max = 0;   ///< Largest absolute error.
     /// What of the error repeats every 2 to 8 pixels or so: beads, teeth, bands, blotches. rms of
     /// the first channel's mean error over 3x3 pixels less that over 9x9.
     double pattern = 0;
