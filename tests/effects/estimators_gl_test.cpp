@@ -55,7 +55,9 @@ TEST_CASE("Vertex normals that lean from the planes of a convex body darken noth
     for (const Names& modules :
          {Names{"ssao/gtao"}, Names{"ssao/bitmask"}, Names{"ssao/bitmask", "geometry/back_faces"},
           Names{"ssao/bitmask", "geometry/back_faces", "filter/upsample"}}) {
-        for (const char* camera : {"eye=2,2,3;at=0,0,0;fov=40", "eye=2,2,3;at=0,0,0;ortho=3"}) {
+        // The near plane of the last makes steps of depth that are not small against a texel.
+        for (const char* camera : {"eye=2,2,3;at=0,0,0;fov=40", "eye=2,2,3;at=0,0,0;ortho=3",
+                                   "eye=2,2,3;at=0,0,0;fov=40;near=0.005"}) {
             const Image ao = visibility(rig, modules, {"radius=0.5"}, camera);
             INFO(modules.front() << ' ' << modules.back() << ' ' << camera);
             CHECK(shareBelow(ao, 0.95f) < 0.002);  // at corners in front of the background
