@@ -61,6 +61,31 @@ double areaOf(const MeshDesc& mesh, const std::uint32_t* corners)
                                         positionOf(mesh.vertices[corners[2]]) - a));
 }
 
+// As the public one, by the numbers of the vertices' places; and the triangles' areas.
+std::vector<std::uint32_t> surfacesOf(const MeshDesc& mesh,
+                                      const std::vector<std::uint32_t>& positions,
+                                      std::vector<double>& areas)
+{
+    std::vector<std::uint32_t> surfaces, numbers(mesh.vertices.size(), kNoSurface);
+    Groups groups(mesh.vertices.size());
+    const auto place = [&](std::size_t corner) { return positions[mesh.indices[corner]]; };
+    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
+        areas.push_back(areaOf(mesh, &mesh.indices[first]));
+        if (!(areas.back() > 0.0)) continue;
+        groups.join(place(first), place(first + 1));
+        groups.join(place(first + 1), place(first + 2));
+    }
+    std::uint32_t count = 0;
+    for (std::size_t k = 0; k < areas.size(); ++k) {
+        surfaces.push_back(kNoSurface);
+        if (!(areas[k] > 0.0)) continue;
+        std::uint32_t& number = numbers[groups.find(place(3 * k))];
+        if (number == kNoSurface) number = count++;
+        surfaces[k] = number;
+    }
+    return surfaces;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> firstEqual(const std::vector<Vertex>& vertices, std::size_t bytes)
@@ -112,59 +137,38 @@ std::vector<MeshEdge> sortedEdges(const std::vector<std::uint32_t>& positions)
 
 std::vector<std::uint32_t> surfacesOf(const MeshDesc& mesh)
 {
-    const std::vector<std::uint32_t> positions = welded(mesh.vertices);
-    std::vector<std::uint32_t> surfaces, numbers(mesh.vertices.size(), kNoSurface);
-    Groups groups(mesh.vertices.size());
-    const auto place = [&](std::size_t corner) { return positions[mesh.indices[corner]]; };
-    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
-        const bool solid = areaOf(mesh, &mesh.indices[first]) > 0.0;
-        surfaces.push_back(solid ? 0 : kNoSurface);
-        if (!solid) continue;
-        groups.join(place(first), place(first + 1));
-        groups.join(place(first + 1), place(first + 2));
-    }
-    std::uint32_t count = 0;
-    for (std::size_t k = 0; k < surfaces.size(); ++k) {
-        if (surfaces[k] == kNoSurface) continue;
-        std::uint32_t& number = numbers[groups.find(place(3 * k))];
-        if (number == kNoSurface) number = count++;
-        surfaces[k] = number;
-    }
-    return surfaces;
+    std::vector<double> areas;
+    return surfacesOf(mesh, welded(mesh.vertices), areas);
 }
 
 std::vector<std::uint32_t> sheetsOf(const MeshDesc& mesh)
 {
     const std::vector<std::uint32_t> positions = welded(mesh.vertices);
+    std::vector<double> areas;
+    const std::vector<std::uint32_t> numbers = surfacesOf(mesh, positions, areas);
     // Triangles without area, such as those at poles, are no part of a surface.
     std::vector<std::uint32_t> corners, firsts;
-    std::vector<double> areas;
-    Groups groups(mesh.vertices.size());
-    std::vector<Surface> surfaces(mesh.vertices.size());
-    for (std::uint32_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
-        const double area = areaOf(mesh, &mesh.indices[first]);
-        if (!(area > 0.0)) continue;
-        firsts.push_back(first);
-        areas.push_back(area);
-        for (std::uint32_t k = first; k < first + 3; ++k)
-            corners.push_back(positions[mesh.indices[k]]);
-        groups.join(corners.end()[-3], corners.end()[-2]);
-        groups.join(corners.end()[-2], corners.end()[-1]);
+    std::vector<Surface> surfaces;
+    for (std::uint32_t k = 0; k < numbers.size(); ++k) {
+        if (numbers[k] == kNoSurface) continue;
+        if (numbers[k] == surfaces.size()) surfaces.emplace_back();
+        surfaces[numbers[k]].area += areas[k];
+        firsts.push_back(3 * k);
+        for (int corner = 0; corner < 3; ++corner)
+            corners.push_back(positions[mesh.indices[3 * k + corner]]);
     }
-    for (std::size_t k = 0; k < firsts.size(); ++k)
-        surfaces[groups.find(corners[3 * k])].area += areas[k];
     const std::vector<MeshEdge> edges = sortedEdges(corners);
     for (std::size_t k = 0; k < edges.size(); ++k) {
         if (k > 0 && edges[k - 1].ends == edges[k].ends) continue;
         if (k + 1 < edges.size() && edges[k + 1].ends == edges[k].ends) continue;
-        const std::uint32_t from = corners[edges[k].corner];
-        const std::uint32_t to = corners[nextCorner(edges[k].corner)];
-        surfaces[groups.find(from)].outline +=
-            glm::length(positionOf(mesh.vertices[from]) - positionOf(mesh.vertices[to]));
+        const std::uint32_t from = edges[k].corner;
+        surfaces[numbers[firsts[from / 3] / 3]].outline +=
+            glm::length(positionOf(mesh.vertices[corners[from]]) -
+                        positionOf(mesh.vertices[corners[nextCorner(from)]]));
     }
     std::vector<std::uint32_t> sheets;
-    for (std::size_t k = 0; k < firsts.size(); ++k)
-        if (surfaces[groups.find(corners[3 * k])].open()) sheets.push_back(firsts[k]);
+    for (const std::uint32_t first : firsts)
+        if (surfaces[numbers[first / 3]].open()) sheets.push_back(first);
     return sheets;
 }
 

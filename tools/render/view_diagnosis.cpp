@@ -18,8 +18,8 @@ namespace {
 // since the rest of the view is empty then. About what radius 0.5 is in the scene 'room'.
 constexpr double kShownShare = 0.08;
 
-// Of the occlusion's own: with less, half the size errs by a quarter to nine tenths more than full
-// size on scenes of tests/unseen; with 16, by a tenth.
+// Of the occlusion's own: with less, half the size errs by a third more than full size in the mean
+// of scenes of tests/unseen; with 16, by a tenth.
 constexpr double kLeastAoPixels = 5;
 
 std::string figure(double value) { return shortest(static_cast<float>(value)); }

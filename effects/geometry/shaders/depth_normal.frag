@@ -32,11 +32,12 @@ layout(location = 3) out float ambient_factor;
 void main()
 {
     albedo = materialAlbedo(uv);
-    normal = vec4(materialNormal(point, facing, uv) * 0.5 + 0.5, 1.0);
+    vec3 triangle = planeOf(point);
+    normal = vec4(materialNormal(point, triangle, facing, uv) * 0.5 + 0.5, 1.0);
 #ifdef LINEAR_DEPTH
     linear_depth = -point.z;
 #else
-    plane = vec4(planeOf(point) * 0.5 + 0.5, 1.0);
+    plane = vec4(triangle * 0.5 + 0.5, 1.0);
 #endif
 #ifdef BAKED_AO
     baked_ao = materialOpen(uv);

@@ -51,12 +51,11 @@ highp vec3 planeOf(highp vec3 at)
     return normalize(turned ? -plane / size : plane / size);
 }
 
-// The unit normal on the side that the camera sees. The triangle's own plane decides which side that
+// The unit normal on the side that the camera sees. The triangle's plane, planeOf, decides which side that
 // is, so meshes with either winding, and seen from behind, are right; it also stands in where the
 // vertex normal has no length.
-highp vec3 seenNormal(highp vec3 at, highp vec3 vertex_normal)
+highp vec3 seenNormal(highp vec3 plane, highp vec3 vertex_normal)
 {
-    highp vec3 plane = planeOf(at);
     highp float size = max(abs(vertex_normal.x), max(abs(vertex_normal.y), abs(vertex_normal.z)));
     highp vec3 n = size > 0.0 ? normalize(vertex_normal / size) : plane;
     return dot(n, plane) < 0.0 ? -n : n;
@@ -84,9 +83,9 @@ highp mat3 textureFrame(highp vec3 at, highp vec2 map_uv, highp vec3 n)
 #endif
 
 // As seenNormal, tilted by the material's normal map where both that and `map_uv` are numbers.
-highp vec3 materialNormal(highp vec3 at, highp vec3 vertex_normal, highp vec2 map_uv)
+highp vec3 materialNormal(highp vec3 at, highp vec3 plane, highp vec3 vertex_normal, highp vec2 map_uv)
 {
-    highp vec3 n = seenNormal(at, vertex_normal);
+    highp vec3 n = seenNormal(plane, vertex_normal);
 #if SCENE_NORMAL_MAPPED
     highp vec3 tilt = texture(normal_map, map_uv).xyz * 2.0 - 1.0;
     highp vec3 tilted = textureFrame(at, map_uv, n) * vec3(tilt.xy * normal_scale, max(tilt.z, 1e-3));

@@ -25,7 +25,7 @@ void main()
 {
     albedo = materialAlbedo(uv);
     position = vec4(point, 1.0);
-    normal = vec4(materialNormal(point, facing, uv) * 0.5 + 0.5, 1.0);
+    normal = vec4(materialNormal(point, planeOf(point), facing, uv) * 0.5 + 0.5, 1.0);
 #if SCENE_MATERIAL_AMBIENT
     ambient_factor = material_ambient;
 #endif

@@ -41,10 +41,11 @@ void main()
 #if DISPLAY == DISPLAY_AO_ONLY
     color = vec4(vec3(open), 1.0);
 #else
+    vec3 normal = materialNormal(point, planeOf(point), facing, uv);
 #ifdef AMBIENT_BY_MATERIAL
-    Surface s = Surface(point, materialNormal(point, facing, uv), albedo.rgb, albedo.a, material_ambient);
+    Surface s = Surface(point, normal, albedo.rgb, albedo.a, material_ambient);
 #else
-    Surface s = Surface(point, materialNormal(point, facing, uv), albedo.rgb, albedo.a);
+    Surface s = Surface(point, normal, albedo.rgb, albedo.a);
 #endif
     color = vec4(srgbFromLinear(shade(s, open, 1.0)), 1.0);
 #endif

@@ -65,7 +65,7 @@ mediump float countOf(uint mask)
 }
 
 // How much of what lies between two neighbouring taps is filled: half of a gap in depth, from the nearer one's back on,
-// that is `max_gap` times as large as what of all steps lies between them, `apart`. `step_here` is towards the camera.
+// that is `max_gap` times as large as the taps lie `apart`, where all steps are 1. `step_here` is towards the camera.
 mediump float filledBetween(Trail trail, mediump float step_here, mediump float deep, mediump float apart)
 {
     mediump float uneven = unevenStep(step_here, trail.step);

@@ -39,14 +39,14 @@ mediump float horizonOf(March march, Side side, int steps)
     for (int i = 0; i < steps; ++i) {
         mediump float apart = -place;
         place = placeOf(march, side, i);
-        apart += place;
+        apart = max(apart + place, 1e-4);  // 0 where the radius has fewer pixels than steps
         highp vec2 pixel = march.pixel + place * float(STEPS) * side.step;
         mediump vec2 at = withinSlice(side, offsetAt(march, texelOf(march, pixel)));
         way = at - before;
         mediump float step_here = dot(way, side.towards);
-        mediump float uneven = unevenStep(step_here, step_before) / apart;
-        filled = filledShare(uneven / max_gap);
-        mediump float joined = filledShare(max(uneven - thickness / apart, 0.0));
+        mediump float uneven = unevenStep(step_here, step_before);
+        filled = filledShare(uneven / (apart * max_gap));
+        mediump float joined = filledShare(max(uneven - thickness, 0.0) / apart);
         mediump float far = dot(at, at);
         bool inside = far < 1.0;
         // Of a surface that goes on beyond the radius, where it leaves it.

@@ -7,7 +7,7 @@
 //   depth_back         the first back faces, which end what the surface begins
 //   depth_second       with SECOND_LAYER: the first front faces behind those
 //   depth_second_back  with SECOND_LAYER: the back faces that end them
-//   source_plane       the normal of the surface's plane, or source_normal, which then is that
+//   source_plane       the normal of the surface's plane; without SHADING_NORMALS source_normal has it
 //   source_layers      lengths x along the view ray, in radii and as x / (1 + x): r of the first thing, g from its
 //                      front to that of the second, b of the second; 1 where it is not known, or nothing is there
 precision highp float;  // depths

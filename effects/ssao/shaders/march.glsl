@@ -231,12 +231,13 @@ Side sideOf(March march, int i)
     return side;
 }
 
-// How far along all steps a tap lies, 0..1: of many, closer near the pixel, where what is small blocks much; none on
-// another's texel. [Strugar, McCalla 2021 - with a power]
+// How far along all steps a tap lies, 0..1: of more than three, closer near the pixel, where what is small blocks much;
+// none on another's texel. [Strugar, McCalla 2021 - with a power]
 highp float placeOf(March march, Side side, int i)
 {
     highp float even = (float(i) + march.noise.y) / float(STEPS);
-    return min(max(even * mix(0.4 + 1.8 / float(STEPS), 1.0, even), side.pixel * float(i + 1)), 1.0);
+    highp float closer = min(0.4 + 1.8 / float(STEPS), 1.0);
+    return min(max(even * mix(closer, 1.0, even), side.pixel * float(i + 1)), 1.0);
 }
 
 // The texel that a tap at `pixel` reads. Far off only every fourth row is read, the next towards the middle of the

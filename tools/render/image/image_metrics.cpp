@@ -196,8 +196,9 @@ Result<ImageDifference> compareImages(const Image& test, const Image& ground_tru
     const Pairs pairs = collectPairs(test, ground_truth, mask, figures);
     if (pairs.test.empty()) return figures;
     addErrors(pairs, threshold, figures);
+    if (!fit) return figures;
     figures.pattern = patternOf(test, ground_truth, mask);
-    if (fit) fitPower(pairs, figures);
+    fitPower(pairs, figures);
     return figures;
 }
 

@@ -27,7 +27,8 @@ struct ImageDifference {
 
 /// Compares channel by channel: a pixel of n channels counts n times, and the least number of
 /// channels of both images is used. With a `mask` only pixels count where any of its colours is
-/// above 0. Without `fit` there are no rmse_fit and power_fit, which take most of the time.
+/// above 0. Without `fit` there are no rmse_fit, power_fit and pattern, which take most of the
+/// time.
 ///
 /// Errors: CV7006 when the sizes differ, CV7005 for images without pixels.
 Result<ImageDifference> compareImages(const Image& test, const Image& ground_truth,
