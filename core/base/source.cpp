@@ -34,10 +34,9 @@ fs::path resolved(const std::string& path)
     return error ? whole.lexically_normal() : canonical;
 }
 
-// Where `by` looks for the files that it names.
-std::string folderOf(const SourceText& by)
+std::string folderOf(const std::string& path)
 {
-    const fs::path folder = fs::path(locationOf(by)).parent_path();
+    const fs::path folder = fs::path(path).parent_path();
     return folder.empty() ? "." : folder.string();
 }
 
@@ -207,17 +206,14 @@ std::vector<std::string> filesBeside(const std::string& path, const std::string&
                                      std::string_view ending)
 {
     constexpr int kMaxSeen = 4096;  // a home folder may hold millions
-    const fs::path folder = fs::path(path).parent_path();
-    std::vector<std::string> files =
-        filesBelow(folder.empty() ? "." : folder.string(), {ending}, 1, kMaxSeen);
+    std::vector<std::string> files = filesBelow(folderOf(path), {ending}, 1, kMaxSeen);
     for (std::string& each : files) each = (fs::path(written).parent_path() / each).string();
     return files;
 }
 
 bool isBelow(const std::string& path, const std::vector<std::string>& folders)
 {
-    if (path.find('\0') != std::string::npos)
-        return false;  // the system would read less of it than is checked
+    if (has(path, {"\0", 1})) return false;  // the system would read less of it than is checked
     const fs::path file = resolved(path);
     return anyOf(folders, [&file](const std::string& folder) {
         if (folder.empty()) return false;
@@ -244,7 +240,7 @@ std::string slashed(const SourceText& by, std::string_view name)
 Status mayName(const SourceText& by, const std::string& path)
 {
     const std::vector<std::string> folders =
-        by.roots ? *by.roots : std::vector<std::string>{folderOf(by)};
+        by.roots ? *by.roots : std::vector<std::string>{folderOf(locationOf(by))};
     if (!isBelow(path, folders)) return outside(path, folders);
     return {};
 }

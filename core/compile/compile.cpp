@@ -140,13 +140,6 @@ Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass&
     return error;
 }
 
-std::string quoted(const Pass& pass) { return "pass '" + pass.desc->name + "'"; }
-
-const std::string& nameOf(const State& state, int target)
-{
-    return state.description.targets[target].name;
-}
-
 SamplerDesc samplingOf(const Read& read)
 {
     const bool material = read.named.kind == InputKind::material;
@@ -164,6 +157,12 @@ std::vector<int> writtenBy(const Pass& pass)
     targets.push_back(pass.depth);
     targets.erase(std::remove(targets.begin(), targets.end(), -1), targets.end());
     return targets;
+}
+
+bool drawsOver(const State& state, const Pass& pass, int target)
+{
+    if (pass.over < 0) return false;
+    return anyOf(state.passes[pass.over].color, [target](int each) { return each == target; });
 }
 
 const Reference& referenceTo(const Pass& pass, const std::string& target)

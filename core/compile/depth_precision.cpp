@@ -22,13 +22,6 @@ bool isHalf(const FormatInfo& format)
     return format.format_class == FormatClass::floating && format.bytes <= 2 * format.channels;
 }
 
-double largestOf(const FormatInfo& format)
-{
-    if (format.format_class != FormatClass::floating) return 1;
-    constexpr double kLargestHalf = 65504;
-    return isHalf(format) ? kLargestHalf : FLT_MAX;
-}
-
 // Halves below this are denormals, which a device may take for 0.
 constexpr double kLeastHalf = 1.0 / (1 << 14);
 
@@ -108,7 +101,10 @@ PrecisionNeed precisionNeed(const Description& description, const SceneTraits& t
 double formatStep(Format format, double value)
 {
     const FormatInfo& info = formatInfo(format);
-    if (value > largestOf(info)) return std::numeric_limits<double>::infinity();
+    constexpr double kLargestHalf = 65504;
+    const double largest = isHalf(info) ? kLargestHalf : FLT_MAX;
+    if (value > (info.format_class == FormatClass::floating ? largest : 1))
+        return std::numeric_limits<double>::infinity();
     if (value <= 0) return info.absolute_step;
     return std::max(info.absolute_step,
                     info.relative_step * std::exp2(std::floor(std::log2(value))));

@@ -50,13 +50,10 @@ constexpr double kHiddenDepthStep = kDrawnDepthStep / 4;
 
 /// What a texture that surfaces are read from holds.
 struct StoredSurface {
-    /// Of a colour format; a depth format holds window depth.
-    Semantic semantic = Semantic::other;
+    Semantic semantic = Semantic::other;  ///< Of a colour format; one of depth holds window depth.
     Format format = Format::none;
-    /// Window depth that a rasteriser made, not a shader, nor a host that may clip at depth 0.
-    bool drawn = true;
-    /// Looked at by the depth test alone: nothing reads it.
-    bool hidden = false;
+    bool drawn = true;    ///< By a rasteriser, not a shader, nor a host that may clip at depth 0.
+    bool hidden = false;  ///< Looked at by the depth test alone: nothing reads it.
 };
 
 /// What `target` holds in `format`.

@@ -92,6 +92,11 @@ std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector
     return path;
 }
 
+Source targetNamed(const State& state, const std::string& name)
+{
+    return {InputKind::target, indexOf(state.description.targets, name)};
+}
+
 void addEdge(State& state, int index, const Source& source, const Reference& at, Edges& edges)
 {
     const Pass& pass = state.passes[index];
@@ -112,15 +117,13 @@ void addEdge(State& state, int index, const Source& source, const Reference& at,
 void addEdges(State& state, int index, Edges& edges)
 {
     const Pass& pass = state.passes[index];
+    if (pass.over >= 0) edges[index].push_back({pass.over, pass.color.front()});
     for (const Read& read : pass.reads)
         addEdge(state, index, read.named, placeOf(pass, read), edges);
-    for (const NoOpDesc& no_op : pass.desc->no_op) {
-        for (const NoOpDesc::Gives& gives : no_op.gives) {
-            if (gives.constant) continue;
-            const int target = indexOf(state.description.targets, gives.input.name);
-            addEdge(state, index, {InputKind::target, target}, gives.input, edges);
-        }
-    }
+    for (const NoOpDesc& no_op : pass.desc->no_op)
+        for (const NoOpDesc::Gives& gives : no_op.gives)
+            if (!gives.constant)
+                addEdge(state, index, targetNamed(state, gives.input.name), gives.input, edges);
 }
 
 void checkOutputs(State& state)
@@ -139,8 +142,7 @@ void reportTwoWriters(State& state, const Pass& pass, const std::string& does, c
     Diagnostic& error = report(
         state, Code::two_writers,
         quoted(pass) + " " + does + " '" + at.name + "', which " + quoted(writer) + " writes", at,
-        "write to a target of its own, or give the passes conditions that exclude each "
-        "other");
+        "write to a target of its own, or give the passes conditions that exclude each other");
     error.notes.push_back({referenceTo(writer, at.name).place, "the first writer"});
     blame(error, ownPlace(error.place), "the second writer");
 }
@@ -158,11 +160,6 @@ void checkBypasses(State& state)
                                  state.passes[writer]);
         }
     }
-}
-
-Source targetNamed(const State& state, const std::string& name)
-{
-    return {InputKind::target, indexOf(state.description.targets, name)};
 }
 
 // What the pass reads by that sampler; nothing where its shader, as it is now, has none.
@@ -251,10 +248,14 @@ int markNeeded(State& state)
     for (Pass& pass : state.passes) pass.live = false;
     for (Target& target : state.targets) target.textured = target.remembered = false;
     std::vector<Source> work;
-    const auto need = [&work](Pass& pass) {
+    const auto need = [&](Pass& pass) {
         if (pass.live) return;
         pass.live = true;
         for (const Read& read : pass.reads) work.push_back(read.named);
+        if (pass.over < 0) return;
+        Pass& under = state.passes[pass.over];
+        under.live = true;
+        for (const Read& read : under.reads) work.push_back(read.named);
     };
     for (const int index : state.order)
         if (Pass& pass = state.passes[index]; !state.applies("dead_pass") && !pass.replaced())
@@ -271,7 +272,9 @@ int markNeeded(State& state)
         target.remembered = target.remembered || behind->kind == InputKind::history;
         need(state.passes[target.writer]);
     }
-    return -1;
+    const auto missed = [](const Pass& pass) { return pass.live && pass.replaced(); };
+    const auto at = std::find_if(state.passes.begin(), state.passes.end(), missed);
+    return at == state.passes.end() ? -1 : static_cast<int>(at - state.passes.begin());
 }
 
 const char* boolText(bool value) { return value ? "true" : "false"; }
@@ -349,13 +352,15 @@ void findWriters(State& state)
         const Pass& pass = state.passes[i];
         if (!pass.active) continue;
         for (const int index : writtenBy(pass)) {
-            Target& target = state.targets[index];
-            if (target.writer < 0)
-                target.writer = static_cast<int>(i);
-            else
+            int& writer = state.targets[index].writer;
+            const bool under = writer >= 0 && drawsOver(state, state.passes[writer], index) &&
+                               state.passes[writer].over == static_cast<int>(i);
+            if (under) continue;
+            if (writer >= 0 && !(drawsOver(state, pass, index) && writer == pass.over))
                 reportTwoWriters(state, pass, "writes target",
-                                 referenceTo(pass, nameOf(state, index)),
-                                 state.passes[target.writer]);
+                                 referenceTo(pass, nameOf(state, index)), state.passes[writer]);
+            else
+                writer = static_cast<int>(i);
         }
     }
     checkBypasses(state);
@@ -410,11 +415,6 @@ std::optional<Source> resolve(const State& state, const Source& source)
     return std::nullopt;  // stand-ins that lead round in a circle
 }
 
-std::optional<Source> resolveTarget(const State& state, int target)
-{
-    return resolve(state, {InputKind::target, target});
-}
-
 void chooseLive(State& state)
 {
     markNeeded(state);
@@ -462,6 +462,12 @@ void decideConditions(State& state)
             pass.off_reason = "it needs " + term.name + " " + joined(term.values, " or ") +
                               ", and " + term.name + " is " + valueOf(state, term.name);
         }
+    for (Pass& pass : state.passes) {
+        pass.over = indexOf(state.description.passes, pass.desc->over.name);
+        if (pass.over < 0 || state.passes[pass.over].active || !pass.active) continue;
+        pass.active = false;
+        pass.off_reason = quoted(state.passes[pass.over]) + ", which it draws over, is off";
+    }
 }
 
 std::vector<Elided> elided(const State& state)

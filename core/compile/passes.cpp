@@ -19,7 +19,10 @@ const Optimization kOptimizations[7] = {
     {"cached", "per frame, passes whose inputs have not changed"},
 };
 
-bool isMasked(const PlanPass& pass) { return pass.has_depth && pass.depth.load == LoadOp::load; }
+bool isMasked(const PlanPass& pass)
+{
+    return pass.type == PassType::fullscreen && pass.has_depth && pass.depth.load == LoadOp::load;
+}
 
 double textureBytes(const PlanTexture& texture)
 {
@@ -116,11 +119,11 @@ PlanAttachment attachment(const State& state, const Pass& pass, int target, bool
     PlanAttachment result;
     result.name = nameOf(state, target);
     result.target = indexOf(plan.targets, result.name);
-    if (result.target < 0) {
-        result.store = StoreOp::discard;
-        return result;
-    }
+    if (result.target < 0) result.store = StoreOp::discard;
+    if (result.target < 0) return result;
     const PassDesc& desc = *pass.desc;
+    if (drawsOver(state, pass, target)) result.load = LoadOp::load;
+    if (result.load == LoadOp::load) return result;
     // A fragment that fails a test or is thrown away leaves what was there.
     const bool keeps =
         desc.type == PassType::draw || desc.state.depth_test != Compare::always ||
@@ -143,7 +146,7 @@ void addTargets(const State& state, Plan& plan)
         const Pass& pass = state.passes[index];
         if (!pass.live) continue;
         for (const int target : writtenBy(pass))
-            if (state.targets[target].textured)
+            if (state.targets[target].textured && !findNamed(plan.targets, nameOf(state, target)))
                 plan.targets.push_back({nameOf(state, target), -1, -1, at, at});
         ++at;
     }
@@ -200,6 +203,7 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
     result.program = addProgram(state, pass, plan);
     result.state = desc.state;
     if (state.traits.reversed_depth) result.state.depth_test = reversed(desc.state.depth_test);
+    result.over = indexOf(plan.passes, desc.over.name);
     result.extent = state.options.extent;
     if (const std::vector<int> written = writtenBy(pass); !written.empty()) {
         result.extent = state.targets[written.front()].extent;

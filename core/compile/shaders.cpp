@@ -259,8 +259,7 @@ int vectorsOf(const GlslStage& stage)
     for (const GlslUniform& uniform : stage.uniforms) {
         if (isSampler(uniform.type)) continue;
         const GlslType type = uniform.type;
-        const int each = type == GlslType::mat4 ? 4 : type == GlslType::mat3 ? 3 : 1;
-        vectors += each * uniform.count;
+        vectors += uniform.count * (type == GlslType::mat4 ? 4 : type == GlslType::mat3 ? 3 : 1);
     }
     return vectors;
 }
@@ -412,7 +411,7 @@ void readPass(State& state, Pass& pass)
 void readMask(State& state, Pass& pass)
 {
     const int mask = indexOf(state.description.targets, pass.desc->mask.name);
-    if (mask < 0 || !state.applies("depth_mask")) return;
+    if (mask < 0 || (pass.over < 0 && !state.applies("depth_mask"))) return;
     const std::vector<int> own = writtenBy(pass);
     const bool fits = !own.empty() && sizeOf(state, mask) == sizeOf(state, own.front()) &&
                       askedSamples(state, mask) == 1 && askedSamples(state, own.front()) == 1;

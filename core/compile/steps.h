@@ -49,13 +49,13 @@ struct Pass {
     std::string off_reason = {};      ///< Why not.
     bool live = false;                ///< Some output needs it.
     const NoOpDesc* no_op = nullptr;  ///< What stands in for it, when something does.
-    /// What it reads is constant, and so stands in for it.
-    bool preserves_constant = false;
-    bool indispensable = false;  ///< ... but not for all that is needed of it.
+    bool preserves_constant = false;  ///< What it reads is constant, and so stands in for it.
+    bool indispensable = false;       ///< ... but not for all that is needed of it.
     std::vector<Read> reads = {};
     std::vector<PlanUniform> uniforms = {};  ///< With indices into the description's lists.
     std::vector<int> color = {};             ///< Targets.
     int depth = -1;                          ///< A target, or -1 for none.
+    int over = -1;                           ///< The pass that it draws over, or -1.
 
     bool replaced() const { return no_op != nullptr || preserves_constant; }
 };
@@ -109,8 +109,12 @@ Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass&
 std::string declarationOf(const Description& description, const std::string& name);
 
 /// "pass 'ssao'", as messages name it.
-std::string quoted(const Pass& pass);
-const std::string& nameOf(const State& state, int target);
+inline std::string quoted(const Pass& pass) { return "pass '" + pass.desc->name + "'"; }
+
+inline const std::string& nameOf(const State& state, int target)
+{
+    return state.description.targets[target].name;
+}
 
 /// As the config says, or as is usual for what the name stands for.
 SamplerDesc samplingOf(const Read& read);
@@ -120,6 +124,9 @@ inline bool readsMask(const Pass& pass) { return findNamed(pass.reads, "") != nu
 
 /// Targets that a pass writes: colour, then depth.
 std::vector<int> writtenBy(const Pass& pass);
+
+/// Whether a pass goes on to draw on this target, which another one wrote.
+bool drawsOver(const State& state, const Pass& pass, int target);
 
 /// Where the pass names a target that it writes.
 const Reference& referenceTo(const Pass& pass, const std::string& target);
@@ -148,7 +155,10 @@ void lintDeadPasses(State& state);
 
 /// What a reader gets, with passes that do not run looked through; nothing behind no active pass.
 std::optional<Source> resolve(const State& state, const Source& source);
-std::optional<Source> resolveTarget(const State& state, int target);
+inline std::optional<Source> resolveTarget(const State& state, int target)
+{
+    return resolve(state, {InputKind::target, target});
+}
 
 // target_sizes.cpp
 /// The description with params lowered whose borders make targets larger than the device's

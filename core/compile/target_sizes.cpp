@@ -156,9 +156,7 @@ Extent sizeOf(const State& state, int target)
     Extent extent = state.options.extent;
     for (auto at = chain.rbegin(); at != chain.rend(); ++at) {
         const SizeDesc& size = state.description.targets[*at].size;
-        const ParamDesc* param = size.scale_param.empty()
-                                     ? nullptr
-                                     : findNamed(state.description.params, size.scale_param.name);
+        const ParamDesc* param = findNamed(state.description.params, size.scale_param.name);
         const float scale = param ? param->value[0] : size.scale;
         const auto factor = size.border ? bordered : scaled;
         extent = {factor(extent.width, scale), factor(extent.height, scale)};
@@ -227,6 +225,12 @@ void chooseSamples(State& state)
         };
         if (attachmentsAgree(state, pass, Code::attachment_samples, "samples", asked))
             choose(state, pass, written);
+        for (const int target : written)
+            if (drawsOver(state, pass, target) && askedSamples(state, target) > 1)
+                report(state, Code::attachment_samples,
+                       quoted(pass) + " draws over target '" + nameOf(state, target) + "', which " +
+                           asked(target),
+                       pass.desc->over, "give it 1: samples are gone once they are resolved");
     }
 }
 

@@ -183,11 +183,6 @@ Cursor Cursor::child(const Member& member) const
             doc};
 }
 
-Cursor Cursor::item(std::size_t index) const
-{
-    return {node.items[index], pointer + "/" + std::to_string(index), key_place, key, label, doc};
-}
-
 bool Report::leavesOut(const Place& key) const
 {
     return document_.origins.size() > 1 && !(key.source && key.source->path == kOverridePath);
@@ -203,12 +198,6 @@ std::string Report::otherSection(const std::string& section, const std::string& 
                    ": write it under " + other;
     }
     return {};
-}
-
-void Report::leaveOut(Diagnostic& error)
-{
-    error.severity = Severity::warning;
-    error.help = "it is left out: what declares it is not part of this config";
 }
 
 Reported& Report::atValue(const Cursor& cursor, Code code, std::string message, std::string help)
@@ -296,8 +285,6 @@ Reference referenceAt(const Node& document, const std::string& pointer)
     const Node& node = *locate(document, pointer).node;
     return {{node.text, node.place, pointer}, node.origins};
 }
-
-bool isExtension(std::string_view key) { return key.substr(0, 2) == "x-"; }
 
 std::string numberText(double number) { return significant(number, 10); }
 

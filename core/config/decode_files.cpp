@@ -26,11 +26,10 @@ Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const
     const Result<SourceRef> found = disk ? openNamed(writer, key) : sources.find(key);
     if (!found) return found.diagnostics();
     if (*found && (*found)->text.size() > kMaxDocumentBytes)
-        return Diagnostic{Code::too_large,
-                          "the file '" + key +
-                              "' has more than the 1048576 bytes (1 MiB) "
-                              "that are read",
-                          "is this GLSL?"};
+        return Diagnostic{
+            Code::too_large,
+            "the file '" + key + "' has more than the 1048576 bytes (1 MiB) that are read",
+            "is this GLSL?"};
     return Found{key, *found, disk};
 }
 

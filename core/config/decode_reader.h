@@ -99,7 +99,12 @@ public:
     bool finish();
 
 private:
-    const Member* find(std::string_view key) const;
+    const Member* find(std::string_view key) const
+    {
+        for (const Member& member : cursor_.node.members)
+            if (member.key == key) return &member;
+        return nullptr;
+    }
     bool reportUnknown();
     void reportMissing(const std::string& key, const std::string& doc);
 

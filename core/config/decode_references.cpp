@@ -30,6 +30,7 @@ struct Checker {
     Names inputs = {"target", "targets", Code::target_missing, {"targets", "generated", "imports"}};
     Names shaders = {"shader", "shaders", Code::shader_missing, {"shaders"}};
     Names params = {"param", "params", Code::reference_missing, {"params"}};
+    Names passes = {"pass", "passes", Code::reference_missing, {"passes"}};
     Names subjects = {"feature or trait", "names", Code::feature_missing, {"features"}};
     std::set<std::string> named = {};
 
@@ -42,6 +43,7 @@ struct Checker {
         if (inputs.all.size() > targets.all.size()) inputs.listed = "targets and textures";
         shaders.all = namesOf(description.shaders);
         params.all = namesOf(description.params);
+        passes.all = namesOf(description.passes);
         subjects.all = namesOf(description.features);
         for (const TraitInfo& trait : kTraits) subjects.all.push_back(trait.name);
         for (const GeneratedDesc& each : description.generated)
@@ -137,6 +139,7 @@ struct Checker {
         const std::string who = "pass '" + pass.name + "' ";
         expect(pass.shader, who + "runs", shaders);
         checkWrites(pass);
+        checkOver(pass);
         for (const ClearDesc& each : pass.clear) checkAttached(pass, each, "clears");
         checkUndrawn(pass);
         for (const Condition& each : pass.when) checkTerm(pass, each);
@@ -174,6 +177,26 @@ struct Checker {
                       "pass '" + pass.name + "' writes target '" + target.name + "' twice",
                       "give each output of the shader a target of its own");
         }
+    }
+
+    // A pass that is drawn over writes a colour target of this one, and is not drawn over itself.
+    void checkOver(const PassDesc& pass)
+    {
+        const std::string who = "pass '" + pass.name + "' draws over";
+        expect(pass.over, who, passes);
+        const PassDesc* under = findNamed(description.passes, pass.over.name);
+        if (!under || report.errorWithin(under->pointer)) return;
+        const auto shared = [under](const Reference& each) {
+            return findNamed(under->color, each.name) != nullptr;
+        };
+        if (!under->over.empty() || !anyOf(pass.color, shared))
+            report.at(pass.over, Code::reference_missing,
+                      who + " '" + under->name + "', " +
+                          (under->over.empty() ? "which writes none of its colour targets"
+                                               : "which draws over another one itself"),
+                      under->over.empty()
+                          ? "name under `color` a target that '" + under->name + "' writes"
+                          : "name '" + under->over.name + "'");
     }
 
     // Whether the target is in a depth format where it must be, and only there.
@@ -226,8 +249,10 @@ struct Checker {
         if ((pass.mask.empty() && !pass.scissor) || report.errorWithin(pass.pointer)) return;
         std::vector<Reference> written = pass.color;
         if (pass.scissor && !pass.depth.empty()) written.push_back(pass.depth);
+        const PassDesc* under = findNamed(description.passes, pass.over.name);
         for (const Reference& target : written) {
             if (findNamed(pass.clear, target.name)) continue;
+            if (under && findNamed(under->color, target.name)) continue;
             Reported& error =
                 report.at(target, Code::missing_key,
                           who + "is not drawn everywhere, and its `clear` does not say what '" +
@@ -244,8 +269,7 @@ struct Checker {
         const std::string& subject = term.name;
         const FeatureDesc* feature = findNamed(description.features, subject);
         const TraitInfo* trait = findNamed(kTraits, subject);
-        if (!feature && !trait) return;
-        if (report.errorWithin(term.pointer)) return;
+        if ((!feature && !trait) || report.errorWithin(term.pointer)) return;
         if (feature && report.errorWithin(feature->pointer)) return;
         const std::vector<std::string> allowed =
             feature ? feature->values : std::vector<std::string>{"false", "true"};
@@ -266,9 +290,7 @@ struct Checker {
     {
         const bool renamed = !input.from.pointer.empty();
         const Reference& source = renamed ? input.from : input;
-        const bool broken =
-            report.errorAt(input.pointer) || report.errorAt(input.pointer + "/from");
-        if (broken) return;
+        if (report.errorAt(input.pointer) || report.errorAt(input.pointer + "/from")) return;
         if (indexOf(kMaterialMaps, source.name) >= 0 && !contains(inputs.all, source.name)) {
             if (pass.type == PassType::draw || report.errorAt(pass.pointer + "/type")) return;
             Reported& error =
@@ -343,8 +365,7 @@ std::string modulesThatDeclare(const SourceSet& sources, std::string_view sectio
     std::string modules;
     for (const std::string& path : sources.list()) {
         if (!endsWith(path, kSuffix) || startsWith(path, "configs/")) continue;
-        if (("/" + path).find("/bench/") != std::string::npos)
-            continue;  // laid over configs, and not to be extended
+        if (has("/" + path, "/bench/")) continue;  // laid over configs, and not to be extended
         const SourceRef source = sources.find(path);
         if (!source || source->text.find('"' + name + '"') == std::string::npos) continue;
         const Result<Node> document = parseDocument(source);

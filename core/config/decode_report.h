@@ -20,7 +20,10 @@ struct Cursor {
     const char* doc = "";      ///< What the table says of it: the help of its errors.
 
     Cursor child(const Member& member) const;
-    Cursor item(std::size_t index) const;
+    Cursor item(std::size_t at) const
+    {
+        return {node.items[at], pointer + "/" + std::to_string(at), key_place, key, label, doc};
+    }
 };
 
 /// An error, and what it has to do with others.
@@ -46,7 +49,11 @@ public:
     std::string otherSection(const std::string& section, const std::string& name) const;
 
     /// Makes that warning of the error about it.
-    static void leaveOut(Diagnostic& error);
+    static void leaveOut(Diagnostic& error)
+    {
+        error.severity = Severity::warning;
+        error.help = "it is left out: what declares it is not part of this config";
+    }
 
     /// An error about a value, or about its key. Without a help of its own it has the table's
     /// sentence. What comes back is valid until the next call.
@@ -98,7 +105,7 @@ Reference referenceAt(const Node& document, const std::string& pointer);
 std::string numberText(double number);
 
 /// "x-..." is the host's own data, at every level.
-bool isExtension(std::string_view key);
+inline bool isExtension(std::string_view key) { return key.substr(0, 2) == "x-"; }
 
 /// Reports names that collide (CV2107) and targets that follow each other's size (CV2204).
 void checkNames(const Description& description, Report& report);

@@ -462,11 +462,4 @@ void Reader::reportMissing(const std::string& key, const std::string& doc)
     if (path.size() == 2) sayUndeclared(report_, path[0], path[1], false, error);
 }
 
-const Member* Reader::find(std::string_view key) const
-{
-    for (const Member& member : cursor_.node.members)
-        if (member.key == key) return &member;
-    return nullptr;
-}
-
 }  // namespace crevice::table

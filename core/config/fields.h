@@ -264,6 +264,10 @@ void fields(V& v, PassDesc& p)
     v.field("shader", p.shader, "The shader that runs.", required());
     v.field("color", p.color, "Targets in the order of the shader's outputs, or just one.");
     v.field("depth", p.depth, "The target for depth.");
+    v.field(
+        "over", p.over,
+        "The pass on whose outputs this one goes on to draw: where it draws nothing, they stay. "
+        "Readers of them get what this pass leaves.");
     v.field("clear", p.clear, "Values that attachments are cleared to before the pass draws.");
     v.field("when", p.when, "Features and traits that must hold for the pass to run.");
     v.field("bypass", p.bypass, "Which input replaces an output when the pass is off.");

@@ -41,8 +41,7 @@ const LoadedFile* replacing(const LoadedFile& file, const std::vector<LoadedFile
 void eraseNames(Node& object, const std::string& section, const Names& gone)
 {
     const auto is_gone = [&](const Member& each) { return gone.count({section, each.key}) > 0; };
-    std::vector<Member>& members = object.members;
-    eraseIf(members, is_gone);
+    eraseIf(object.members, is_gone);
 }
 
 // What a body or a variant says of these names, levels of features included.

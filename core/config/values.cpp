@@ -23,12 +23,6 @@ std::string rangeText(const ParamDesc& param)
            (param.unit.empty() ? "" : " " + param.unit);
 }
 
-bool wholeInt(float value)
-{
-    constexpr float kLimit = 2147483648.0f;  // the least float that no int holds
-    return value == std::floor(value) && value >= -kLimit && value < kLimit;
-}
-
 Diagnostic dropped(const std::string& what, const Named& old, const std::string& why)
 {
     return asWarning({Code::value_dropped,
@@ -82,7 +76,9 @@ Status checkValue(const ParamDesc& param, const float* values, int count)
             return paramError(Code::out_of_range, param,
                               numberText(values[i]) + " is outside " + rangeText(param),
                               "give a value in that range");
-        if (param.type == ParamType::int_ && !wholeInt(values[i]))
+        constexpr float kLimit = 2147483648.0f;  // the least float that no int holds
+        const bool holds = values[i] >= -kLimit && values[i] < kLimit;
+        if (param.type == ParamType::int_ && !(holds && values[i] == std::floor(values[i])))
             return paramError(Code::out_of_range, param,
                               numberText(values[i]) + " is no whole number",
                               "give a whole number in " + rangeText(param));

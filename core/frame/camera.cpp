@@ -79,8 +79,7 @@ std::string ownedBy(std::size_t view, const char* matrix)
 /// How far a vertex in floats may lie from where it is, relative to its distance.
 constexpr double kFloatMargin = 1e-5;
 
-// Binary digits of a float past its first.
-constexpr int kFloatDigits = 23;
+constexpr int kFloatDigits = 23;  // binary digits of a float past its first
 
 // The most by which the matrix makes a length longer.
 double stretchOf(const glm::dmat4& matrix)
@@ -151,8 +150,7 @@ Status checkCamera(const Camera& camera, std::size_t view)
 
 bool Camera::orthographic() const
 {
-    // GLM indexes by column.
-    const glm::mat4& m = clip_from_view;
+    const glm::mat4& m = clip_from_view;  // GLM indexes by column
     return m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] != 0.0f;
 }
 

@@ -5,7 +5,6 @@
 #include "core/frame/frame_math.h"
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <cmath>

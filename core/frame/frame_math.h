@@ -201,13 +201,6 @@ struct TraitInfo {
     {
         return flag ? traits.*flag : std::min(traits.*count, most);
     }
-    void set(SceneTraits& traits, int value) const
-    {
-        if (flag)
-            traits.*flag = value != 0;
-        else
-            traits.*count = value;
-    }
 };
 
 inline constexpr TraitInfo kTraits[] = {

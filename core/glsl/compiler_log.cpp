@@ -12,7 +12,6 @@
 #include "core/glsl/compiler_words.h"
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace crevice {
 
@@ -154,10 +153,7 @@ bool follows(const Diagnostics& diagnostics, const Diagnostic& next)
 }
 
 /// Whether the sign is one of its own wherever it stands.
-bool stands(const GlslToken& token)
-{
-    return std::string_view("(){}[];,").find(token.text) != std::string_view::npos;
-}
+bool stands(const GlslToken& token) { return has("(){}[];,", token.text); }
 
 /// Whether there may be a line's end between the two: not amid "+=", ".5" or "1e-5".
 bool isApart(const GlslToken& a, const GlslToken& b)

@@ -104,10 +104,7 @@ void tokenize(std::string_view text, int file, int line, GlslTokens& tokens)
             ++at;
             continue;
         }
-        GlslToken token;
-        token.file = file;
-        token.line = line;
-        token.column = int(at) + 1;
+        GlslToken token{GlslToken::Kind::symbol, {}, file, line, int(at) + 1};
         readToken(text, at, token);
         tokens.push_back(token);
         at += token.text.size();
@@ -130,13 +127,6 @@ std::vector<GlslLine> glslLines(std::string_view text, int file)
     }
     return lines;
 }
-
-void GlslMacros::define(std::string_view name, GlslTokens body, bool function_like)
-{
-    macros_[std::string(name)] = Macro{std::move(body), function_like, false};
-}
-
-void GlslMacros::undefine(std::string_view name) { macros_[std::string(name)].reset(); }
 
 GlslMacros::Macro* GlslMacros::find(std::string_view name)
 {
@@ -171,9 +161,7 @@ bool GlslMacros::expand(const GlslToken& token, GlslTokens& out)
     found->open = true;
     bool ok = ++depth_ <= kMaxMacroDepth;
     for (const GlslToken& part : found->body) {
-        GlslToken here = token;
-        here.kind = part.kind;
-        here.text = part.text;
+        const GlslToken here{part.kind, part.text, token.file, token.line, token.column};
         ok = ok && ++steps_ <= kMaxMacroSteps && expand(here, out);
     }
     found->open = false;

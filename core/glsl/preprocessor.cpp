@@ -10,8 +10,7 @@ namespace {
 /// Files that include files that include files ...: keeps the recursion off the stack's end.
 constexpr std::size_t kMaxIncludeDepth = 64;
 
-/// So much of a line is quoted in a message.
-constexpr std::size_t kShownBytes = 40;
+constexpr std::size_t kShownBytes = 40;  ///< So much of a line is quoted in a message.
 
 constexpr const char* kVersionHelp =
     "write '#version 300 es' above all but comments; all stages of a shader have one version";

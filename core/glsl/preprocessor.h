@@ -70,8 +70,11 @@ public:
     explicit GlslMacros(const std::map<std::string, std::string>& offered) : offered_(offered) {}
 
     /// A function-like macro counts as defined and is not expanded.
-    void define(std::string_view name, GlslTokens body, bool function_like = false);
-    void undefine(std::string_view name);
+    void define(std::string_view name, GlslTokens body, bool function_like = false)
+    {
+        macros_[std::string(name)] = Macro{std::move(body), function_like, false};
+    }
+    void undefine(std::string_view name) { macros_[std::string(name)].reset(); }
     bool defined(std::string_view name) { return find(name) != nullptr; }
 
     /// All names that are defined.

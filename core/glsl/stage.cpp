@@ -35,8 +35,7 @@ constexpr std::int64_t kMaxArray = 65536;
 /// Longest that a shader's own may be: drivers keep some 64 KiB, and for more ask for any memory.
 constexpr std::int64_t kMaxElements = 4096;
 
-/// Most uniforms and outputs of a stage.
-constexpr std::size_t kMaxDeclared = 1024;
+constexpr std::size_t kMaxDeclared = 1024;  ///< Most uniforms and outputs of a stage.
 
 constexpr std::string_view kQualifiers[] = {
     "uniform",   "in",        "out",    "const",  "flat",     "smooth",   "centroid",
@@ -289,8 +288,7 @@ bool dropOutput(GlslStage& stage, const std::string& name)
         const std::optional<std::string> plain = plainVariable(line, name);
         if (!plain) continue;
         text.replace(begin, line.size(), *plain);
-        const auto same = [&](const GlslOutput& output) { return output.name == name; };
-        eraseIf(stage.outputs, same);
+        eraseIf(stage.outputs, [&](const GlslOutput& output) { return output.name == name; });
         return true;
     }
     return false;

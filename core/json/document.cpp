@@ -233,9 +233,7 @@ private:
     // Bytes of the number or word here, be it right or wrong, at least one character.
     std::size_t wordLength() const
     {
-        const auto belongs = [](char c) {
-            return isWord(c) || std::string_view("$+-.").find(c) != std::string_view::npos;
-        };
+        const auto belongs = [](char c) { return isWord(c) || has("$+-.", {&c, 1}); };
         std::size_t end = at_;
         while (end < text_.size() && belongs(text_[end])) ++end;
         if (end > at_ || end == text_.size()) return end - at_;

@@ -177,8 +177,7 @@ const Frame& Renderer::asHostDraws(const Frame& frame)
         return import.type == ImportType::texture &&
                formatInfo(formatFromName(import.format)).format_class == FormatClass::depth;
     };
-    const auto& imports = plan().imports;
-    const bool reads_depth = anyOf(imports, is_depth);
+    const bool reads_depth = anyOf(plan().imports, is_depth);
     const DepthRange range = reads_depth ? device.depthRange() : DepthRange();
     if (control == ClipControl() && range == DepthRange()) return frame;
     clipped_ = frame;

@@ -11,11 +11,10 @@ PassCache::PassCache(const Plan& plan)
       next_slots_(slots_),
       runs_(plan.passes.size() * plan.views)
 {
-    const auto remembered = [&plan](int target) {
-        return plan.targets[target].history_texture >= 0;
-    };
+    const auto remembered = [&](int target) { return plan.targets[target].history_texture >= 0; };
     for (const PlanPass& pass : plan.passes) {
         PassNode& node = passes_.emplace_back();
+        node.over = pass.over;
         for (const PlanInput& input : pass.inputs) {
             if (input.kind == InputKind::target) node.reads.push_back(input.index);
             node.remembers = node.remembers || input.kind == InputKind::history;
@@ -28,17 +27,10 @@ PassCache::PassCache(const Plan& plan)
     }
 }
 
-void PassCache::clear() { std::fill(slots_.begin(), slots_.end(), kNothing); }
-
 int PassCache::slotOf(int view, int target) const
 {
     const int texture = plan_.targets[target].texture;
     return texture * plan_.views + (plan_.textures[texture].copies > 1 ? view : 0);
-}
-
-int PassCache::writerOf(int view, int target) const
-{
-    return runOf(view, plan_.targets[target].first_pass);
 }
 
 const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
@@ -49,6 +41,9 @@ const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
             const auto redrawn = [&](int target) { return runs_[writerOf(view, target)] != 0; };
             const int run = runOf(view, static_cast<int>(i));
             runs_[run] = changed[run] || pass.remembers || anyOf(pass.reads, redrawn);
+            if (pass.over < 0) continue;
+            char& under = runs_[runOf(view, pass.over)];
+            under = runs_[run] = under || runs_[run];
         }
     do next_slots_ = slots_;
     while (findOverwritten());
@@ -63,7 +58,10 @@ bool PassCache::findOverwritten()
     bool found = false;
     for (int view = 0; view < plan_.views; ++view)
         for (std::size_t i = 0; i < passes_.size(); ++i) {
-            if (!runs_[runOf(view, static_cast<int>(i))]) continue;
+            char& run = runs_[runOf(view, static_cast<int>(i))];
+            if (!run && passes_[i].over >= 0 && runs_[runOf(view, passes_[i].over)])
+                run = found = true;
+            if (!run) continue;
             for (const int target : passes_[i].reads) found = requireTarget(view, target) || found;
             for (const int target : passes_[i].writes)
                 next_slots_[slotOf(view, target)] = writerOf(view, target);

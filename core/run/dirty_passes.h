@@ -14,7 +14,7 @@ public:
     explicit PassCache(const Plan& plan);
 
     /// Nothing is drawn yet, or nobody knows what has been.
-    void clear();
+    void clear() { slots_.assign(slots_.size(), kNothing); }
 
     /// Chooses for a frame. `changed`: by run (view * passes + pass), whether uniforms, draws or
     /// imported textures of it are others than when it ran last. The passes chosen count as run
@@ -25,6 +25,7 @@ private:
     static constexpr int kNothing = -1;
 
     struct PassNode {
+        int over = -1;            // the pass on whose outputs it draws: both run, or neither
         std::vector<int> reads;   // targets
         std::vector<int> writes;  // targets that are kept
         bool remembers = false;   // reads or writes what changes with every frame
@@ -32,7 +33,10 @@ private:
 
     int runOf(int view, int pass) const { return view * static_cast<int>(passes_.size()) + pass; }
     int slotOf(int view, int target) const;
-    int writerOf(int view, int target) const;
+    int writerOf(int view, int target) const
+    {
+        return runOf(view, plan_.targets[target].first_pass);
+    }
     bool findOverwritten();
     bool requireTarget(int view, int target);
 

@@ -124,9 +124,7 @@ void DrawWarnings::look(const FrameHistory& two_ago, const FrameHistory& last,
 void DrawWarnings::add(const PlanPass& pass, const std::vector<UniformInfo>& active)
 {
     if (pass.type != PassType::draw) return;
-    const auto note = [&pass](Reader& reader) {
-        if (!reader) reader = &pass;
-    };
+    const auto note = [&pass](Reader& reader) { reader = reader ? reader : &pass; };
     for (const UniformInfo& uniform : active) {
         if (uniform.name == kFrameValues[view_normal_from_model].name) note(normals_);
         if (const int map = indexOf(kMaterialMaps, uniform.name); map >= 0) note(maps_[map]);

@@ -28,8 +28,7 @@ struct DrawnList {
 struct PlacedDraw {
     glm::dmat4 view_from_model;
     ViewSphere sphere;
-    bool mirrored;  ///< Front faces come out as back faces: the item, the view or the projection
-                    ///< mirrors.
+    bool mirrored;  ///< Front faces come out as back faces: the item, view or projection mirrors.
     bool valued;    ///< Its values are computed.
 };
 

@@ -166,6 +166,7 @@ struct PassDesc : Named {
     Reference shader = {};
     std::vector<Reference> color = {};  ///< In the order of the shader's output locations.
     Reference depth = {};
+    Reference over = {};  ///< The pass on whose outputs this one goes on to draw.
     std::vector<ClearDesc> clear = {};
     std::vector<Condition> when = {};  ///< All of which must hold.
     std::vector<BypassDesc> bypass = {};
@@ -173,11 +174,9 @@ struct PassDesc : Named {
     std::vector<PreservesConstantDesc> preserves_constant = {};
     Reference frustum_scale_param = {};  ///< The param that gives `frustum_scale`; else empty.
     float frustum_scale = 0.0f;          ///< View sizes; 0 is unknown.
-    /// A mask: the pass is drawn where that is above 0; elsewhere stands what `clear` says.
-    Reference mask = {};
+    Reference mask = {};   ///< Drawn where that is above 0; elsewhere stands what `clear` says.
     bool scissor = false;  ///< That also holds where no draw covers the screen ...
-    /// ... or at which this param, a length, is below a pixel.
-    Reference cull_below_pixel = {};
+    Reference cull_below_pixel = {};  ///< ... or at which this param, a length, is below a pixel.
     std::vector<InputDesc> inputs = {};
     StateDesc state = {};
 };
@@ -196,11 +195,10 @@ struct ViewDesc : Named {
 
 /// What a config may ask for; more is refused (CV1209): no stranger's file takes all memory.
 struct Limits {
-    int files = 1024;   ///< JSON files, and GLSL files.
-    int passes = 512;   ///< Whether they run or not.
-    int targets = 512;  ///< Whether they are used or not.
-    /// Of all textures that the renderer makes at the size asked for, as textureBytes counts them.
-    double bytes = 2147483648.0;
+    int files = 1024;             ///< JSON files, and GLSL files.
+    int passes = 512;             ///< Whether they run or not.
+    int targets = 512;            ///< Whether they are used or not.
+    double bytes = 2147483648.0;  ///< Of all textures at the size asked for, by textureBytes.
 };
 
 struct Description : Named {

@@ -100,9 +100,8 @@ using FramebufferId = IdOf<ObjectId::Kind::framebuffer>;
 
 /// What a device can do; read once when it is made.
 struct DeviceCaps {
-    std::string name;  ///< Renderer and version as the driver reports them.
-    /// 300, 310 or 320; a desktop context counts as what it is compatible with.
-    int version = 300;
+    std::string name;       ///< Renderer and version as the driver reports them.
+    int version = 300;      ///< 300, 310 or 320; a desktop's counts as what it is compatible with.
     bool software = false;  ///< Rendered by the CPU: timer queries lie, time with finish().
     int max_texture_size = 2048;
     int max_color_attachments = 4;
@@ -379,17 +378,15 @@ public:
 
     /// Takes triangles that lie in buffers of the host's; `destroy` forgets them. The buffers must
     /// stay as large as they are; what they hold may change, see DrawItem::revision. Indices are
-    /// not looked at: none may name a vertex past the last.
-    /// Errors: CV6004; CV6011 for what is none of the context's buffers, or ends before the last
-    /// vertex or index, and those of checkMesh.
+    /// not looked at: none may name a vertex past the last. Errors: CV6004; CV6011 for what is none
+    /// of the context's buffers, or ends before the last vertex or index, and those of checkMesh.
     virtual Result<MeshId> adoptMesh(const HostMesh& host) = 0;
 
     /// Takes a picture that the host owns; `destroy` forgets it and leaves it alive. A texture is
     /// read as it is. Of all else (`HostTexture::copied`) the device keeps a copy in a texture of
-    /// its own, made here and by `refresh`.
-    /// Errors: CV6004; CV6011 with the reason where the object is none of the context, or its kind,
-    /// format, size or samples are not those given; CV6014 for samples that the device cannot read;
-    /// CV6017; those of createTexture.
+    /// its own, made here and by `refresh`. Errors: CV6004; CV6011 with the reason where the object
+    /// is none of the context, or its kind, format, size or samples are not those given; CV6014 for
+    /// samples that the device cannot read; CV6017; those of createTexture.
     virtual Result<TextureId> adoptTexture(const HostTexture& host) = 0;
 
     /// Copies what was adopted so again, once the host has drawn into it; does nothing for textures

@@ -40,8 +40,7 @@ namespace crevice {
 // The libraries are built with GLM's packed float types; aligned ones have other offsets.
 static_assert(sizeof(glm::vec3) == 12 && alignof(glm::vec4) == 4 && alignof(glm::dmat4) == 8,
               "crevice's structs hold packed GLM types: include <crevice/effect.h> alone, which "
-              "has no GLM types, "
-              "or build this file without GLM_FORCE_DEFAULT_ALIGNED_GENTYPES");
+              "has no GLM types, or build this file without GLM_FORCE_DEFAULT_ALIGNED_GENTYPES");
 
 enum class ImportType { camera, draw_list, lights, texture };
 
@@ -109,8 +108,7 @@ struct Material {
     glm::vec3 specular = glm::vec3(0.0f);    ///< Colour of the highlight; 0 is matte.
     float shininess = 16.0f;                 ///< Blinn-Phong exponent, > 0.
     float ambient = 1.0f;                    ///< Share of the ambient light it reflects, [0, 1].
-    /// Below this alpha a pixel is discarded; 0 is opaque.
-    float alpha_cutoff = 0.0f;
+    float alpha_cutoff = 0.0f;        ///< Below this alpha a pixel is discarded; 0 is opaque.
     TextureId normal_map = {};        ///< Tangent space, n * 0.5 + 0.5, y up; null is flat.
     float normal_scale = 1.0f;        ///< Of the map's x and y.
     TextureId occlusion_map = {};     ///< Baked visibility in red; null is open.
@@ -193,12 +191,10 @@ struct Frame {
     Camera camera;
     std::vector<DrawItem> draws;
     std::vector<Material> materials;
-    /// Those past kMaxLights are left out, with a warning when compiled.
-    std::vector<Light> lights;
+    std::vector<Light> lights;  ///< Past kMaxLights left out, with a warning when compiled.
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
     std::vector<ImportedTexture> textures;
-    /// Views 1 and up, orthographic or reversed if `camera` is.
-    std::vector<FrameView> other_views;
+    std::vector<FrameView> other_views;  ///< From 1 on, orthographic or reversed if `camera` is.
     /// To be changed when a mesh, or a material's texture, that was drawn before holds something
     /// else now: ids of what was destroyed are given out again.
     std::uint64_t revision = 0;
@@ -243,20 +239,19 @@ DrawRange rangeOf(const std::vector<DrawItem>& draws, const Camera& camera);
 
 /// What a plan may depend on, drawn from a frame. Conditions name them as in the comments.
 struct SceneTraits {
-    int lights = 0;                ///< scene.lights
-    bool alpha_tested = false;     ///< scene.alpha_tested
-    bool specular = false;         ///< scene.specular
-    bool textured = false;         ///< scene.textured: some material has a base_color_map
-    bool orthographic = false;     ///< camera.orthographic
-    bool turned = false;           ///< camera.turned: a host's view space is not that of shaders
-    bool reversed_depth = false;   ///< camera.reversed_depth: what is farther has less depth
-    bool normal_mapped = false;    ///< scene.normal_mapped: some material has a normal_map
-    bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map
-    /// scene.material_ambient: some material's `ambient` is below 1
-    bool material_ambient = false;
-    int views = 1;            ///< camera.views
-    CameraRange camera = {};  ///< Formats are chosen by it, and no condition sees it.
-    DrawRange draws = {};     ///< Plans warn by it; no condition and no comparison sees it.
+    int lights = 0;                 ///< scene.lights
+    bool alpha_tested = false;      ///< scene.alpha_tested
+    bool specular = false;          ///< scene.specular
+    bool textured = false;          ///< scene.textured: some material has a base_color_map
+    bool orthographic = false;      ///< camera.orthographic
+    bool turned = false;            ///< camera.turned: a host's view space is not that of shaders
+    bool reversed_depth = false;    ///< camera.reversed_depth: what is farther has less depth
+    bool normal_mapped = false;     ///< scene.normal_mapped: some material has a normal_map
+    bool baked_occlusion = false;   ///< scene.baked_occlusion: some material has an occlusion_map
+    bool material_ambient = false;  ///< scene.material_ambient: some `ambient` is below 1
+    int views = 1;                  ///< camera.views
+    CameraRange camera = {};        ///< Formats are chosen by it, and no condition sees it.
+    DrawRange draws = {};           ///< Plans warn by it; no condition and no comparison sees it.
 
     bool operator==(const SceneTraits& other) const;
 };

@@ -38,8 +38,7 @@ struct PlanTarget {
     /// What the writer draws into: `texture`, unless that is resolved from one of several samples.
     int drawn_texture = -1;
     int first_pass = -1;  ///< The writer.
-    /// The last reader; the number of passes when an output or remembered.
-    int last_pass = -1;
+    int last_pass = -1;   ///< The last reader; the number of passes when an output or remembered.
     /// What it held last frame, where someone reads that; the two change places before each frame.
     int history_texture = -1;
 };
@@ -89,12 +88,12 @@ struct PlanPass {
     bool has_depth = false;
     PlanAttachment depth;  ///< Written; or only tested, where its load is LoadOp::load.
     Extent extent;
+    int over = -1;    ///< Into Plan::passes: the one on whose outputs it draws; -1: none.
     int samples = 1;  ///< Of each attachment's pixels.
     StateDesc state;
-    float frustum_scale = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
-    bool scissor = false;     ///< It is drawn within the bounds of the frame's draws alone ...
-    /// ... and of those at which this of Plan::params comes to a pixel; -1: of all.
-    int cull_below_pixel = -1;
+    float frustum_scale = 0;    ///< Sizes of the view; what lies outside is not drawn. 0: all is.
+    bool scissor = false;       ///< It is drawn within the bounds of the frame's draws alone ...
+    int cull_below_pixel = -1;  ///< ... at which this of Plan::params comes to a pixel; -1: of all.
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> uniforms;
 };
@@ -131,9 +130,8 @@ struct PlanOutput {
 struct Plan {
     std::string config;
     Extent extent;
-    int views = 1;  ///< Every pass runs once for each, all passes of one before the next.
-    /// Passes run also where nothing that they read has changed: the optimization "cached" is off.
-    bool reruns = false;
+    int views = 1;        ///< Every pass runs once for each, all passes of one before the next.
+    bool reruns = false;  ///< Passes run also where nothing they read has changed: no "cached".
     std::vector<PlanPass> passes;
     std::vector<PlanTarget> targets;
     std::vector<PlanTexture> textures;

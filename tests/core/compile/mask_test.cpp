@@ -65,6 +65,40 @@ TEST_CASE("A pass is drawn whole where its mask is left out, off, constant or do
     CHECK(plan.passes[1].inputs.size() == 1);
 }
 
+TEST_CASE("A pass that draws over another one keeps what it does not draw, and readers get both")
+{
+    Sketch sketch = masked();
+    sketch.passes[2] = R"(rest: normal -> ao | "over": "ao", "mask": "mask")";
+    sketch.passes.push_back(R"(ao: normal -> ao | "when": {"soft": true},
+                              "bypass": {"ao": "normal"})");
+    sketch.targets["ao"] = sketch.targets["normal"] = R"({"format": ["rgba8"]})";
+    CHECK(passNames(planOf(describe(sketch))) == "geometry, light");
+    sketch.extra.replace(sketch.extra.find("false"), 5, "true");
+    for (const CompileOptions& options : {sized(), keeping("depth_mask"), keeping("all")}) {
+        const Plan plan = planOf(describe(sketch), {}, options);
+        CHECK(passNames(plan) == "geometry, mask, ao, rest, light");
+        CHECK(plan.passes[3].over == 2);
+        CHECK(isMasked(plan.passes[3]));
+        CHECK(plan.passes[3].color[0].load == LoadOp::load);
+        CHECK(plan.passes[3].color[0].target == plan.passes[2].color[0].target);
+        CHECK(plan.passes[2].color[0].store == StoreOp::store);
+    }
+}
+
+TEST_CASE("A constant stands in for a pass and for what draws over it, or for neither")
+{
+    const auto names = [](const char* rest) {
+        return passNames(planOf(
+            describe({{"a: -> x", R"(b: x -> y | "no_op": {"fill": {"at": 0, "gives": {"y": 1}}})",
+                       std::string("c: x -> y | \"over\": \"b\"") + rest, "d: y -> z"},
+                      {{"out", "z"}},
+                      {},
+                      R"("params": {"fill": {"default": 0}})"})));
+    };
+    CHECK(names("") == "a, b, c, d");
+    CHECK(names(R"(, "no_op": {"fill": {"at": 0, "gives": {"y": 1}}})") == "d");
+}
+
 TEST_CASE("A bounded pass is drawn within the bounds of draws where all it reads comes from them")
 {
     const auto bounded = [](const Sketch& sketch, const CompileOptions& options = sized()) {

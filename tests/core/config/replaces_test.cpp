@@ -131,7 +131,7 @@ TEST_CASE("A swap changes the module and leaves out with a warning what was set 
 {
     const Node document =
         need(loadConfig(shippedSources(), {"thesis", "", {"ssao/hemisphere=ssao/gtao"}}));
-    CHECK(at(document, "shaders/ssao/fragment")->text == "ssao/shaders/gtao.frag");
+    CHECK(at(document, "shaders/ssao/fragment")->text == "ssao/shaders/march.frag");
     const Result<Description> description = decode(document, shippedSources());
     REQUIRE(description.ok());
     std::vector<std::string> elided;

@@ -77,6 +77,19 @@ TEST_CASE("What another pass has overwritten is drawn again for whoever reads it
     CHECK(cached.run({"d"}) == "d");
 }
 
+TEST_CASE("A pass and what draws over it run both or neither")
+{
+    Cached cached({{"a: -> x", "b: x -> y", R"(c: s -> y | "over": "b")", "side: -> s", "d: y -> z",
+                    "e: z -> v"},
+                   {{"out", "v"}},
+                   {{"s", kOwn}}});
+    cached.run({});
+    CHECK(cached.run({"side"}) == "a, b, side, c, d, e");
+    CHECK(cached.run({"b"}) == "a, b, c, d, e");
+    CHECK(cached.run({"e"}) == "e");
+    CHECK(cached.run({"d"}) == "a, b, c, d, e");  // "e" has overwritten what they drew
+}
+
 TEST_CASE("After a frame that failed everything runs")
 {
     Cached cached(kChain);

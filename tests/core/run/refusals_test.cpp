@@ -79,7 +79,7 @@ TEST_CASE("Two estimators in one config are refused, whichever they are")
     forPairs(shippedEstimators(), [](const Module& one, const Module& other) {
         if (related(one, other, shippedEstimators())) return;
         const Names modules = {"geometry/depth_normal", one.name, other.name, "filter/box"};
-        checkRefused(modules, Code::module_clash, "shader 'ssao'");
+        checkRefused(modules, Code::module_clash, "both make ");
     });
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("Bent normals are refused on an estimator that has none")
     for (const Module& estimator : shippedEstimators()) {
         const Names modules = {"geometry/depth_normal", estimator.name, "ssao/bent_normals"};
         const SourceRef shader =
-            shippedSources().find("ssao/shaders" + estimator.name.substr(4) + ".frag");
+            shippedSources().find("ssao/shaders" + estimator.name.substr(4) + ".glsl");
         const bool has = shader && shader->text.find("BENT_NORMALS") != std::string::npos;
         if (has)
             CHECK(refusal(modules).empty());

@@ -16,15 +16,28 @@ bool readsTarget(const PlanPass& pass, int target)
     });
 }
 
-/// Marks the pass that writes the target, and all that it needs.
-void markWriter(const Plan& plan, int target, std::vector<bool>& needed)
+/// What the pass writes and something reads.
+std::vector<int> targetsOf(const PlanPass& pass)
 {
-    const int writer = plan.targets[target].first_pass;
-    if (writer < 0 || needed[writer]) return;
-    needed[writer] = true;
-    for (std::size_t other = 0; other < plan.targets.size(); ++other)
-        if (readsTarget(plan.passes[writer], static_cast<int>(other)))
-            markWriter(plan, static_cast<int>(other), needed);
+    std::vector<int> targets;
+    for (const PlanAttachment& color : pass.color)
+        if (color.target >= 0) targets.push_back(color.target);
+    if (pass.has_depth && !isMasked(pass) && pass.depth.target >= 0)
+        targets.push_back(pass.depth.target);
+    return targets;
+}
+
+/// Marks the passes that draw on the target, and all that they need.
+void markWriters(const Plan& plan, int target, std::vector<bool>& needed)
+{
+    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
+        const std::vector<int> drawn = targetsOf(plan.passes[i]);
+        if (needed[i] || std::find(drawn.begin(), drawn.end(), target) == drawn.end()) continue;
+        needed[i] = true;
+        for (std::size_t other = 0; other < plan.targets.size(); ++other)
+            if (readsTarget(plan.passes[i], static_cast<int>(other)))
+                markWriters(plan, static_cast<int>(other), needed);
+    }
 }
 
 std::vector<bool> neededForAo(const Plan& plan)
@@ -34,7 +47,7 @@ std::vector<bool> neededForAo(const Plan& plan)
     const bool has_ao = anyOf(plan.outputs, isAo);
     for (const PlanOutput& output : plan.outputs)
         if (output.target >= 0 && (!has_ao || isAo(output)))
-            markWriter(plan, output.target, needed);
+            markWriters(plan, output.target, needed);
     return needed;
 }
 
@@ -46,17 +59,6 @@ bool onlyReadBy(const Plan& plan, const std::vector<bool>& needed, int target)
     for (std::size_t i = 0; i < plan.passes.size(); ++i)
         if (!needed[i] && readsTarget(plan.passes[i], target)) return false;
     return true;
-}
-
-/// What the pass writes and something reads.
-std::vector<int> targetsOf(const PlanPass& pass)
-{
-    std::vector<int> targets;
-    for (const PlanAttachment& color : pass.color)
-        if (color.target >= 0) targets.push_back(color.target);
-    if (pass.has_depth && !isMasked(pass) && pass.depth.target >= 0)
-        targets.push_back(pass.depth.target);
-    return targets;
 }
 
 }  // namespace

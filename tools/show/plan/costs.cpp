@@ -100,7 +100,8 @@ std::vector<Elided> allElided(const Plan& plan)
                           std::to_string(plan.targets.size()) + " targets share " +
                               std::to_string(plan.textures.size()) + ", which saves " +
                               bytesText(bytes)});
-    add("pixels of ", passesThat(plan, isMasked), "depth_mask",
+    const auto masked = [](const PlanPass& pass) { return isMasked(pass) && pass.over < 0; };
+    add("pixels of ", passesThat(plan, masked), "depth_mask",
         "per frame, those that the mask excludes");
     add("pixels of ", passesThat(plan, [](const PlanPass& pass) { return pass.scissor; }),
         "scissor", "per frame, those outside the bounds of all draws");

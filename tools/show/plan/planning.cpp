@@ -38,18 +38,26 @@ struct Setting {
     SceneTraits traits;
 };
 
+void set(const TraitInfo& trait, SceneTraits& traits, int value)
+{
+    if (trait.flag)
+        traits.*trait.flag = value != 0;
+    else
+        traits.*trait.count = value;
+}
+
 std::vector<Setting> otherSettings()
 {
     std::vector<Setting> settings;
     Setting full = {"everything that a scene can have", usualTraits()};
     for (const TraitInfo& trait : kTraits) {
         const int usual = trait.value(usualTraits());
-        if (startsWith(trait.name, "scene.")) trait.set(full.traits, 1);
+        if (startsWith(trait.name, "scene.")) set(trait, full.traits, 1);
         for (const int value : {0, 1, 2}) {
             if (value == usual || value > trait.most) continue;
             settings.push_back(
                 {std::string(trait.name) + " " + std::to_string(value), usualTraits()});
-            trait.set(settings.back().traits, value);
+            set(trait, settings.back().traits, value);
         }
     }
     settings.push_back(full);

@@ -136,8 +136,8 @@ TEST_CASE("Passes are for AO, for the picture, or geometry that one of them need
 {
     using R = PassRole;
     CHECK(rolesOf("mobile") ==
-          std::vector<R>{R::geometry, R::ao, R::ao, R::ao, R::ao, R::ao, R::picture});
+          std::vector<R>{R::geometry, R::ao, R::ao, R::ao, R::ao, R::ao, R::ao, R::picture});
     CHECK(rolesOf("high") == std::vector<R>{R::geometry, R::ao, R::geometry_for_ao,
                                             R::geometry_for_ao, R::geometry_for_ao, R::ao, R::ao,
-                                            R::ao, R::ao, R::ao, R::picture});
+                                            R::ao, R::ao, R::ao, R::ao, R::picture});
 }
