@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Angles, quickly.
 
-// The angle in 0..pi whose cosine is `c`, in radians, to within 7e-5.
-// [Abramowitz, Stegun 1964, 4.4.45]
+// The angle in 0..pi whose cosine is `c`, in radians, to within 7e-5. [Abramowitz, Stegun 1964, 4.4.45]
 highp float angleOf(highp float c)
 {
     highp float x = abs(c);

@@ -62,8 +62,7 @@ highp float shareStep(highp float share)
     return depthUnit() / (kept * kept) / 16777215.0;
 }
 
-// In the three digits of an 8-bit colour, and back.
-// [Pranckevicius 2009 - the digits]
+// In the three digits of an 8-bit colour, and back. [Pranckevicius 2009 - the digits]
 const highp vec3 kDigits = vec3(1.0, 255.0, 65025.0);
 
 highp vec3 digitsOfShare(highp float share)

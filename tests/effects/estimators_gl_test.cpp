@@ -67,6 +67,33 @@ TEST_CASE("Vertex normals that lean from the planes of a convex body darken noth
     }
 }
 
+TEST_CASE("Poles that no texel of the occlusion stands for have their own, not that behind them")
+{
+    SceneRig rig("corner");
+    Scene scene;
+    scene.meshes = {makeBox({-2, -0.2f, -2}, {2, 0, 2})};
+    for (int k = 0; k < 24; ++k) {
+        const float x = -1.5f + 0.125f * static_cast<float>(k);
+        append(scene.meshes[0], makeBox({x, 0, 0}, {x + 0.02f, 0.8f, 0.3f}));
+    }
+    scene.instances.resize(1);
+    scene.materials.resize(1);
+    rig.show(std::move(scene));
+    rig.extent = {160, 90};
+    for (const char* estimator : {"ssao/gtao", "ssao/bitmask", "ssao/hbao"}) {
+        const auto picture = [&](const char* filter, const char* scale) {
+            return visibility(rig, {estimator, filter}, {"radius=0.4", scale, "slices=4"});
+        };
+        const Image whole = picture("filter/upsample", "ao_scale=1");
+        const double apart = meanChange(picture("filter/upsample", "ao_scale=0.3"), whole);
+        const double marched = meanChange(picture("ssao/march_missing", "ao_scale=0.3"), whole);
+        INFO(estimator << ' ' << apart << ' ' << marched);
+        CHECK(marched < 0.85 * apart);
+        // At full size every pixel has its texel.
+        CHECK(meanChange(picture("ssao/march_missing", "ao_scale=1"), whole) == 0.0);
+    }
+}
+
 TEST_CASE("Tiles of every fourth pixel give the occlusion of hbao, whatever the size")
 {
     SceneRig rig("corner");

@@ -170,7 +170,7 @@ void checkVisibility(const Stage& stage, const Cell& cell, const Image& ao)
     const auto wall = stage.seen(ao, {-1, 1.2f, -2}, {1, 1.6f, -2});
     const auto edge = stage.seen(ao, {-1, 0, -1.9f}, {1, 0, -1.8f});
     if (cell.estimator->reads_normals) {
-        CHECK(edge.second < floor.second - 0.05);
+        CHECK(edge.second < floor.second - 0.03);
         CHECK(std::min(floor.first, wall.first) >= 0.95f);
     } else {  // half of what such a kernel probes about a wall lies inside it
         CHECK((wall.first > 0.35f && wall.second < 0.75));

@@ -26,9 +26,8 @@ std::vector<std::vector<const char*>> wordsOf(const Description& description)
 {
     std::vector<std::vector<const char*>> all;
     for (const FeatureDesc& feature : description.features) {
-        std::vector<const char*> words;
+        std::vector<const char*>& words = all.emplace_back();
         for (const std::string& word : feature.values) words.push_back(word.c_str());
-        all.push_back(std::move(words));
     }
     return all;
 }

@@ -59,9 +59,7 @@ Status findNewMaps(const crevice_effect& effect, std::size_t index, const crevic
 /// Without maps. What is 0 stays at its default.
 Material materialOf(const crevice_material& given)
 {
-    const auto set = [](float number, float& into) {
-        if (number != 0) into = number;
-    };
+    const auto set = [](float number, float& into) { into = number != 0 ? number : into; };
     Material material;
     const glm::vec4 base_color = glm::make_vec4(given.base_color);
     if (base_color != glm::vec4(0.0f)) material.base_color = base_color;

@@ -9,10 +9,9 @@
 //                  beside it
 //   AXIS           vec2(1.0, 0.0) or vec2(0.0, 1.0)
 //
-// Five taps, the outer ones by half: on a plane each of four neighbouring columns counts alike, so that
-// noise which repeats every four pixels vanishes, and the picture does not shift. The taps are ours, as is all of
-// off_plane.glsl but the idea, weights by what is seen: docs/reference/filters.md has its error and cost.
-// [Tomasi, Manduchi 1998]
+// Five taps, the outer ones by half: on a plane each of four neighbouring columns counts alike, so that noise which
+// repeats every four pixels vanishes, and the picture does not shift. The taps are ours, as is all of off_plane.glsl
+// but the idea, weights by what is seen: docs/reference/filters.md has its error and cost. [Tomasi, Manduchi 1998]
 precision highp float;  // depths are compared
 precision highp int;
 

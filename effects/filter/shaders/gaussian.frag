@@ -7,9 +7,8 @@
 //   ao_filtered  the weighted mean; unchanged in the background
 //   AXIS         vec2(1.0, 0.0) or vec2(0.0, 1.0)
 //
-// What is far away is blurred less, so that a surface keeps its look as the camera moves: ours. The weights
-// come from two products a tap instead of an exponential.
-// [Turkowski 2007]
+// What is far away is blurred less, so that a surface keeps its look as the camera moves: ours. The
+// weights come from two products a tap instead of an exponential. [Turkowski 2007]
 precision highp float;  // depths, and products that fall by many powers of two
 
 #define SURFACE_WITHOUT_NORMAL

@@ -5,9 +5,8 @@
 //   ao           what is filtered
 //   ao_filtered  the median, mixed with what was there
 //
-// The columns are sorted; then the median is that of the greatest of the three least, the median of the
-// three middle ones and the least of the three greatest.
-// [Smith 1996]
+// The columns are sorted; then the median is that of the greatest of the three least, the median of
+// the three middle ones and the least of the three greatest. [Smith 1996]
 precision mediump float;  // 8-bit values are compared and never summed
 
 uniform mediump sampler2D ao;

@@ -7,6 +7,7 @@
 //   ao_low         occlusion at a lower resolution in r, and the digits of its share of depth in gba
 //   low_depth      with DEPTH_APART: those digits in rgb
 //   ao_filtered    the weighted mean; 1 in the background
+//   missing        with MARKS_MISSING, a mask: 1 where no neighbour counts (ssao/march_missing.json), 0 elsewhere
 //
 // A neighbour counts if the pixel lies in its plane: what lies across the near edge of a box does not, at the same
 // depth. Where all four lie on other surfaces, a thin wire say, or on a curved one, those nearest in depth serve.
@@ -31,6 +32,9 @@ layout(location = 0) out float ao_filtered;
 // objects would have no value at all, and with one that does not fall, round ones take on what lies behind them.
 const float kMinWeight = 0.03;
 
+// Share of its neighbours' weights on the screen below which a pixel has none.
+const float kMissing = 0.2;
+
 // Occlusion, and the share of depth.
 vec2 valueAt(ivec2 texel)
 {
@@ -45,6 +49,9 @@ vec2 valueAt(ivec2 texel)
 void main()
 {
     float z = viewZAt(uv);
+#ifdef MARKS_MISSING
+    gl_FragDepth = 0.0;
+#endif
     if (z <= kBackgroundZ) {
         ao_filtered = 1.0;
         return;
@@ -80,5 +87,8 @@ void main()
     float noise = 4.0 * toleranceOf(stored.a) * radius;
     vec4 cuts = cutsOf(abs(off), noise, vec4(1.0 / max(low_pixel.x, 1e-20)));
     vec4 weights = (1.0 - abs(across)) * (1.0 - abs(up)) * max(1.0 - cuts, kMinWeight / (1.0 + cuts * cuts));
+#ifdef MARKS_MISSING
+    gl_FragDepth = dot((1.0 - abs(across)) * (1.0 - abs(up)), max(1.0 - cuts, 0.0)) < kMissing ? 1.0 : 0.0;
+#endif
     ao_filtered = dot(weights, vec4(a.x, b.x, c.x, d.x)) / dot(weights, vec4(1.0));
 }

@@ -3,8 +3,7 @@
 
 #include "common/view_space.glsl"
 
-// The point in view space that the texel at the view's uv holds, at its centre; false where nothing was
-// drawn.
+// The point in view space that the texel at the view's uv holds, at its centre; false where nothing was drawn.
 bool pointIn(highp sampler2D depths, highp vec2 at, out highp vec3 point)
 {
     highp vec2 size = vec2(textureSize(depths, 0));

@@ -51,9 +51,8 @@ highp vec3 planeOf(highp vec3 at)
     return normalize(turned ? -plane / size : plane / size);
 }
 
-// The unit normal on the side that the camera sees. The triangle's plane, planeOf, decides which side that
-// is, so meshes with either winding, and seen from behind, are right; it also stands in where the
-// vertex normal has no length.
+// The unit normal on the side that the camera sees. The triangle's plane, planeOf, decides which side that is, so
+// meshes with either winding, and seen from behind, are right; it also stands in where the vertex normal has no length.
 highp vec3 seenNormal(highp vec3 plane, highp vec3 vertex_normal)
 {
     highp float size = max(abs(vertex_normal.x), max(abs(vertex_normal.y), abs(vertex_normal.z)));

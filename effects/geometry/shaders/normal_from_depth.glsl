@@ -5,10 +5,9 @@
 // each side foretell the depth at hand, and the side that does so better lies on the same surface: edges
 // stay sharp, where plain differences would bend them.
 //
-// Where the steps that depth is stored in are not small against a texel, texels farther apart serve, as long as
-// they foretell the depth to within those steps. Both sides do on a plane; there the way from one to the other
-// leans half as much as that to either.
-// [Wu 2020 - the choice by two texels a side]
+// Where the steps that depth is stored in are not small against a texel, texels farther apart serve, as long as they
+// foretell the depth to within those steps. Both sides do on a plane; there the way from one to the other leans half as
+// much as that to either. [Wu 2020 - the choice by two texels a side]
 
 #include "common/view_space.glsl"
 

@@ -96,13 +96,11 @@ mediump float blockedOn(March march, Side side, mediump float least_lift, int st
     return blocked;
 }
 
-// 1 open .. 0 blocked, of a pixel of the marched picture; 1 in the background.
-mediump float visibilityAt(highp vec2 pixel)
+// Interface `estimator`: 1 open .. 0 blocked, of what marchFrom or marchOf has found; 1 where that is not `known`.
+mediump float visibilityFrom(March march, bool known)
 {
-    March march;
     // No constants: written out, the loops would take more registers than a phone has.
-    bool known = marchFrom(pixel, march);
-    int sides = known ? 2 * SLICES : 0;
+    int sides = known ? 2 * kSlices : 0;
     int steps = known ? STEPS : 0;
     mediump float least_lift = sin(radians(angle_bias));
     mediump float blocked = 0.0;

@@ -18,12 +18,12 @@ ivec2 tile_corner;
 vec2 tile_size;
 
 #define MARCH_IN_TILES
-const float kStride = 4.0;
-vec2 inView(vec2 pixel) { return kStride * pixel + (vec2(tile) + 0.5 - 0.5 * kStride); }
+vec2 stride() { return vec2(4.0); }
+vec2 inView(vec2 pixel) { return 4.0 * pixel + (vec2(tile) - 1.5); }
 vec2 marchedSize() { return tile_size; }
 ivec2 marchedTexel(vec2 pixel) { return ivec2(pixel) + tile_corner; }
 
-#include "ssao/shaders/hbao.glsl"
+#include <estimator>
 
 layout(location = 0) out float ao_tiles;
 
@@ -33,5 +33,7 @@ void main()
     tile = tileOf(ivec2(gl_FragCoord.xy), size);
     tile_corner = cornerOf(tile, size);
     tile_size = vec2((size + 3 - tile) / 4);
-    ao_tiles = visibilityAt(gl_FragCoord.xy - vec2(tile_corner));
+    March march;
+    bool known = marchFrom(gl_FragCoord.xy - vec2(tile_corner), march);
+    ao_tiles = visibilityFrom(march, known);
 }

@@ -16,21 +16,35 @@
 #include "ssao/shaders/shading_normals.glsl"
 
 uniform highp sampler2D source_depth;
+#ifndef MARCH_FROM_VIEW
 uniform mediump sampler2D source_normal;
 #if SHADING_NORMALS
 uniform mediump sampler2D source_plane;
+#endif
 #endif
 uniform highp float bias;
 uniform highp vec2 viewport_size;
 
 const highp float kPi = 3.14159265;
 
-// The picture that is marched, whose pixels those below are: the view, or a tile of it (hbao_plus.frag).
+// The picture that is marched, whose pixels those below are: the view, a tile of it (hbao_plus.frag), or for pixels of
+// the view a smaller one (upsample.frag).
+#ifdef MARCH_FROM_VIEW
+highp ivec2 sourceSize() { return textureSize(MARCH_FROM_VIEW, 0); }
+#else
+highp ivec2 sourceSize() { return ivec2(viewport_size); }
+#endif
 #ifndef MARCH_IN_TILES
-const highp float kStride = 1.0;  // from one of its pixels to the next, in the view's
-highp vec2 inView(highp vec2 pixel) { return pixel; }
-highp vec2 marchedSize() { return viewport_size; }
+highp vec2 marchedSize() { return vec2(sourceSize()); }
+highp vec2 stride() { return viewport_size / marchedSize(); }  // from one of its pixels to the next, in the view's
+highp vec2 inView(highp vec2 pixel) { return pixel * stride(); }
 highp ivec2 marchedTexel(highp vec2 pixel) { return ivec2(pixel); }  // without the guard band
+#endif
+
+#ifdef MARCH_FROM_VIEW
+const int kSlices = 2 * SLICES;
+#else
+const int kSlices = SLICES;
 #endif
 
 // One pixel and its surface. Lengths in radii.
@@ -73,19 +87,13 @@ highp float seenReach(highp vec3 point)
 // A normal that leans away from the camera is bent until the cosine to it is this.
 const mediump float kLeastFacing = 0.05;
 
-// False in the background.
-bool marchFrom(highp vec2 pixel, out March march)
+// From a surface's `share` of depth, its normals of light and of its plane, and how far off that it may come out.
+void marchOf(highp vec2 pixel, highp float share, mediump vec3 normal, mediump vec3 plane, mediump float stored_tolerance,
+             out March march)
 {
-    march.band = (textureSize(source_depth, 0) - ivec2(viewport_size)) / 2;
-    highp ivec2 texel = marchedTexel(pixel) + march.band;
-    highp float stored = texelFetch(source_depth, texel, 0).r;
-    highp float share = max(stored, kFarthestShare);
-    mediump vec4 stored_normal = texelFetch(source_normal, texel, 0);
-    march.normal = normalize(stored_normal.xyz * 2.0 - 1.0);
-    march.plane = march.normal;
-#if SHADING_NORMALS
-    march.plane = normalize(texelFetch(source_plane, texel, 0).xyz * 2.0 - 1.0);
-#endif
+    march.band = (textureSize(source_depth, 0) - sourceSize()) / 2;
+    march.normal = normal;
+    march.plane = plane;
     highp float z = zOfShare(share, depthUnit());
     highp vec2 shown = usedRadius() / abs(vec2(ray_from_pixel[0].x, ray_from_pixel[1].y));
 #if !CAMERA_ORTHOGRAPHIC
@@ -112,12 +120,32 @@ bool marchFrom(highp vec2 pixel, out March march)
 #endif
     highp float facing = abs(dot(march.plane, rayThrough(inView(pixel))));
     highp float rounding = shareStep(share) / march.radius * facing;
-    highp float tolerance = stored_normal.a > 0.0 ? toleranceOf(stored_normal.a) * wider : 0.0;  // the least is no more
+    highp float tolerance = stored_tolerance > 0.0 ? toleranceOf(stored_tolerance) * wider : 0.0;  // the least is no more
     march.point = point + march.plane * max(lift, max(rounding, tolerance));
     march.pixel = pixel;
+#ifdef MARCH_FROM_VIEW
+    march.noise = vec2(0.5);  // no filter smooths it
+#else
     march.noise = pixelNoise(hostPixel(inView(pixel), viewport_size));
+#endif
+}
+
+#ifndef MARCH_FROM_VIEW
+// False in the background.
+bool marchFrom(highp vec2 pixel, out March march)
+{
+    highp ivec2 texel = marchedTexel(pixel) + (textureSize(source_depth, 0) - sourceSize()) / 2;
+    highp float stored = texelFetch(source_depth, texel, 0).r;
+    mediump vec4 normal = texelFetch(source_normal, texel, 0);
+    mediump vec3 plane = normal.xyz;
+#if SHADING_NORMALS
+    plane = texelFetch(source_plane, texel, 0).xyz;
+#endif
+    marchOf(pixel, max(stored, kFarthestShare), normalize(normal.xyz * 2.0 - 1.0), normalize(plane * 2.0 - 1.0),
+            normal.a, march);
     return stored > 0.0;
 }
+#endif
 
 // One side of a slice through the hemisphere. Within the slice lengths have x along the surface's plane, y over it.
 struct Side {
@@ -182,7 +210,7 @@ mediump float leaving(mediump vec2 at, mediump vec2 way)
 Side sideOf(March march, int i)
 {
     // Evenly over a turn.
-    mediump float angle = kPi / float(SLICES) * (march.noise.x + float(i));
+    mediump float angle = kPi / float(kSlices) * (march.noise.x + float(i));
     mediump vec2 turn = vec2(cos(angle), sin(angle));
     Side side;
     mediump vec3 to_camera = hostFromPicture(march.to_camera);
@@ -214,12 +242,12 @@ Side sideOf(March march, int i)
     highp vec2 ray = march.point.xy / march.point.z;
     way.xy = (way.xy - ray * way.z) / min(march.point.z + way.z, 0.05 * march.point.z);
 #endif
-    highp vec2 pixels = way.xy / (kStride * vec2(ray_from_pixel[0].x, ray_from_pixel[1].y));
+    highp vec2 pixels = way.xy / (stride() * vec2(ray_from_pixel[0].x, ray_from_pixel[1].y));
 #if CAMERA_ORTHOGRAPHIC
     pixels *= march.radius;
 #endif
     highp vec2 band = vec2(march.band);
-    highp vec2 room = mix(march.pixel, marchedSize() - march.pixel, step(0.0, pixels)) + band - 0.5 / kStride;
+    highp vec2 room = mix(march.pixel, marchedSize() - march.pixel, step(0.0, pixels)) + band - 0.5 / stride();
     room /= max(abs(pixels), 1e-6);
     highp float edge = min(room.x, room.y);
     side.step = pixels * min(1.0 / (float(STEPS) - 0.6), edge / float(STEPS));

@@ -136,8 +136,7 @@ typedef struct crevice_device_desc {
     /// Leaves GL state as it comes, which saves some 150 queries a frame: set all that you rely on.
     bool leave_state;
 
-    /// Asks neither for GL errors nor whether the context is lost or another one.
-    bool skip_checks;
+    bool skip_checks;  ///< Asks neither for GL errors nor whether the context is another or lost.
 
     /// Pretends a bare OpenGL ES 3.0 without extensions: for testing what falls back.
     bool ignore_extensions;
@@ -235,8 +234,7 @@ CREVICE_API const crevice_error* crevice_effect_warnings(const crevice_effect* e
 
 /// The matrix that drew the depth, without the view: 16 floats by columns, as for
 /// glUniformMatrix4fv. It may be off-centre, flipped, turned, reversed or left-handed. Default:
-/// orthographic, of the cube
-/// [-1, 1].
+/// orthographic, of the cube [-1, 1].
 CREVICE_API crevice_error* crevice_effect_set_projection(crevice_effect* effect,
                                                          const float* clip_from_view);
 
@@ -302,8 +300,7 @@ typedef struct crevice_texture {
     int layer;    ///< From 0.
     int samples;  ///< A pixel, of a texture; 0 is 1. All else is resolved.
 
-    /// The picture is a part of a larger one, and its lower left pixel is (x, y).
-    bool part;
+    bool part;  ///< The picture is a part of a larger one, and its lower left pixel is (x, y).
     int x, y;
 } crevice_texture;
 
@@ -501,8 +498,7 @@ typedef struct crevice_material {
     const crevice_texture* normal_map;      ///< Tangent space, n * 0.5 + 0.5, y up.
     const crevice_texture* occlusion_map;   ///< Baked visibility in red: 1 is open.
 
-    /// A number that changes whenever you draw into one of the maps.
-    uint64_t revision;
+    uint64_t revision;  ///< A number that changes whenever you draw into one of the maps.
 } crevice_material;
 
 /// All materials, instead of those of before. Null and 0 leave one: white and opaque, which is the

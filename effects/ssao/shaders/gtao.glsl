@@ -1,19 +1,14 @@
-#version 300 es
 // SPDX-License-Identifier: MIT
 // Ambient occlusion from the horizons of slices through the hemisphere, cosine-weighted.
 //
 //   source_depth, source_normal  as ssao/shaders/march.glsl has them
-//   ao                           visibility, 1 open .. 0 blocked; 1 in the background
 //   bent_normal                  with BENT_NORMALS: mean open direction, view space, stored as n * 0.5 + 0.5
 //
 // Everything below the highest tap of a side counts as blocked, but less of what stands farther in front of the surface
-// beside it than it is thick, behind which light passes. A tap beyond the radius does not count; where the
-// surface leaves the radius between two taps, the place where it does is interpolated, without which few taps see too
-// low a horizon. Off the screen the surface last seen goes on.
-// [Jimenez et al. 2016] - algorithm 1; the bent normal is algorithm 2. They fade taps towards the radius; the
-// interpolation and the thickness are ours.
-precision highp float;  // positions and depths; mediump bands
-precision highp int;
+// beside it than it is thick, behind which light passes. A tap beyond the radius does not count; where the surface
+// leaves the radius between two taps, the place where it does is interpolated, without which few taps see too low a
+// horizon. Off the screen the surface last seen goes on. [Jimenez et al. 2016] - algorithm 1; the bent normal is
+// algorithm 2. They fade taps towards the radius; the interpolation and the thickness are ours.
 
 #include "ssao/shaders/march.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
@@ -21,7 +16,6 @@ precision highp int;
 uniform mediump float max_gap;
 uniform mediump float thickness;
 
-layout(location = 0) out float ao;
 #ifdef BENT_NORMALS
 layout(location = 1) out vec4 bent_normal;
 #endif
@@ -35,6 +29,7 @@ mediump float horizonOf(March march, Side side, int steps)
     mediump float near = 0.0;         // its distance, squared
     mediump float step_before = 0.0;
     mediump float filled = 1.0;
+    mediump float out_by = 0.0;
     highp float place = 0.0;
     for (int i = 0; i < steps; ++i) {
         mediump float apart = -place;
@@ -46,7 +41,8 @@ mediump float horizonOf(March march, Side side, int steps)
         mediump float step_here = dot(way, side.towards);
         mediump float uneven = unevenStep(step_here, step_before);
         filled = filledShare(uneven / (apart * max_gap));
-        mediump float joined = filledShare(max(uneven - thickness, 0.0) / apart);
+        out_by = max(out_by + uneven, 0.0);
+        mediump float joined = filledShare(max(out_by - thickness, 0.0) / apart);
         mediump float far = dot(at, at);
         bool inside = far < 1.0;
         // Of a surface that goes on beyond the radius, where it leaves it.
@@ -80,12 +76,11 @@ mediump vec2 openDirection(Side side, mediump vec2 horizon)
 }
 #endif
 
-void main()
+// Interface `estimator`: 1 open .. 0 blocked, of what marchFrom or marchOf has found; 1 where that is not `known`.
+mediump float visibilityFrom(March march, bool known)
 {
-    March march;
     // No constants: written out, the loops would take more registers than a phone has.
-    bool known = marchFrom(gl_FragCoord.xy, march);
-    int sides = known ? 2 * SLICES : 0;
+    int sides = known ? 2 * kSlices : 0;
     int steps = known ? STEPS : 0;
     mediump float blocked = 0.0;
     mediump float whole = 0.0;
@@ -112,5 +107,5 @@ void main()
         bent_normal = vec4(normalize(bent + march.normal * 1e-3) * 0.5 + 0.5, 1.0);
     }
 #endif
-    ao = visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));
+    return visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));
 }

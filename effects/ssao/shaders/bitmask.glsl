@@ -1,18 +1,13 @@
-#version 300 es
 // SPDX-License-Identifier: MIT
-// Ambient occlusion from bit masks over slices through the hemisphere: each side of a slice has 31
-// sectors of equal light, and each tap blocks the sectors between its front and its back, so that light
-// passes behind thin objects.
+// Ambient occlusion from bit masks over slices through the hemisphere: each side of a slice has 31 sectors of equal
+// light, and each tap blocks the sectors between its front and its back, so that light passes behind thin objects.
 //
 //   source_depth, source_normal  as ssao/shaders/march.glsl has them
 //   source_layers                with BACK_FACES: what ssao/shaders/layers.frag wrote
-//   ao                           visibility, 1 open .. 0 blocked; 1 in the background
 //
 // [Therrien et al. 2023] - the sectors; theirs are of equal angle. That taps join, and that each is clipped to the
 // radius, is ours. Off the screen the surface last seen goes on. Figures are rmse in the room and on the spheres,
 // 480x270, radius 1; docs/reference/methods.md says how to measure.
-precision highp float;  // positions and depths; mediump bands
-precision highp int;    // all 32 bits of a mask: mediump has 16
 
 #include "ssao/shaders/march.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
@@ -32,8 +27,6 @@ uniform mediump float max_gap;
 #if BACK_FACES
 uniform mediump sampler2D source_layers;
 #endif
-
-layout(location = 0) out float ao;
 
 // What a side's last tap has seen.
 struct Trail {
@@ -153,11 +146,11 @@ uint blockedOn(March march, Side side, bool second)
     return blocked;
 }
 
-void main()
+// Interface `estimator`: 1 open .. 0 blocked, of what marchFrom or marchOf has found; 1 where that is not `known`.
+mediump float visibilityFrom(March march, bool known)
 {
-    March march;
     // Not a constant: written out, the sides would take more registers than a phone has.
-    int sides = marchFrom(gl_FragCoord.xy, march) ? 2 * SLICES : 0;
+    int sides = known ? 2 * kSlices : 0;
     int layers = min(sides, 1 + SECOND_LAYER);
     mediump float blocked = 0.0;
     mediump float whole = 0.0;
@@ -169,5 +162,5 @@ void main()
         blocked += light * countOf(mask) / kSectors;
         whole += light;
     }
-    ao = visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));
+    return visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));
 }
