@@ -28,7 +28,7 @@ uniform highp vec2 viewport_size;
 const highp float kPi = 3.14159265;
 
 // The picture that is marched, whose pixels those below are: the view, a tile of it (hbao_plus.frag), or for pixels of
-// the view a smaller one (upsample.frag).
+// the view a smaller one (march_missing.frag).
 #ifdef MARCH_FROM_VIEW
 highp ivec2 sourceSize() { return textureSize(MARCH_FROM_VIEW, 0); }
 #else
@@ -322,6 +322,9 @@ mediump float unevenStep(mediump float step_here, mediump float step_before)
 mediump float radiusFade(March march)
 {
     highp vec2 size = abs(vec2(ray_from_pixel[0].x, ray_from_pixel[1].y));
+#ifdef MARCH_FROM_VIEW
+    size *= stride();
+#endif
     highp float pixel = min(size.x, size.y);
 #if CAMERA_ORTHOGRAPHIC
     highp float shown = march.radius / max(pixel, 1e-30);

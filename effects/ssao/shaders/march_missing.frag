@@ -15,6 +15,7 @@ uniform mediump sampler2D ao_low;
 
 #include <surface>
 #include <estimator>
+#include "ssao/shaders/own_planes.glsl"
 
 in vec2 uv;
 layout(location = 0) out float ao_filtered;
@@ -23,12 +24,9 @@ void main()
 {
     vec3 point;
     bool known = viewPosition(uv, point);
-    vec3 normal = normalAt(uv);
-    vec3 plane = normal;
-#if SHADING_NORMALS
-    plane = planeAt(uv, point, normal);
-#endif
-    float tolerance = storedTolerance(depthTolerance(point, plane, 0.0) / usedRadius());
+    vec3 normal;
+    vec3 plane;
+    float tolerance = ownPlanes(uv, point, normal, plane);
     March march;
     marchOf(gl_FragCoord.xy / stride(), shareOfZ(point.z, depthUnit()), normal, plane, tolerance, march);
     ao_filtered = visibilityFrom(march, known);

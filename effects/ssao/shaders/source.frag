@@ -16,6 +16,7 @@ precision highp int;
 #include "ssao/shaders/shading_normals.glsl"
 #include "common/depth_share.glsl"
 #include "common/tolerance.glsl"
+#include "ssao/shaders/own_planes.glsl"
 
 uniform vec2 viewport_size;
 
@@ -36,14 +37,9 @@ void main()
         gl_FragDepth = 0.0;
         return;
     }
-    vec3 normal = normalAt(at);
-    if (!(dot(normal, normal) < 2.0)) normal = vec3(0.0, 0.0, 1.0);  // a host's that are no numbers
-    vec3 plane = normal;
-#if SHADING_NORMALS
-    plane = planeAt(at, point, normal);
-    if (!(dot(plane, plane) < 2.0)) plane = normal;  // beside depths that are no numbers
-#endif
-    float tolerance = storedTolerance(depthTolerance(point, plane, 0.0) / usedRadius());
+    vec3 normal;
+    vec3 plane;
+    float tolerance = ownPlanes(at, point, normal, plane);
     source_normal = vec4(normal * 0.5 + 0.5, tolerance);
 #if SHADING_NORMALS
     source_plane = vec4(plane * 0.5 + 0.5, tolerance);
