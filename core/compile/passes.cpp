@@ -119,11 +119,15 @@ PlanAttachment attachment(const State& state, const Pass& pass, int target, bool
     PlanAttachment result;
     result.name = nameOf(state, target);
     result.target = indexOf(plan.targets, result.name);
-    if (result.target < 0) result.store = StoreOp::discard;
-    if (result.target < 0) return result;
+    if (result.target < 0) {
+        result.store = StoreOp::discard;
+        return result;
+    }
+    if (drawsOver(state, pass, target)) {
+        result.load = LoadOp::load;
+        return result;
+    }
     const PassDesc& desc = *pass.desc;
-    if (drawsOver(state, pass, target)) result.load = LoadOp::load;
-    if (result.load == LoadOp::load) return result;
     // A fragment that fails a test or is thrown away leaves what was there.
     const bool keeps =
         desc.type == PassType::draw || desc.state.depth_test != Compare::always ||

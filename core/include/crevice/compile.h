@@ -14,7 +14,7 @@ struct CompileOptions {
     Extent extent;
     std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
     std::vector<std::string> disable = {};  ///< Names of optimizations to switch off, or "all".
-    bool strict = false;  ///< What Renderer::render leaves out of a frame is an error, no warning.
+    bool strict = false;  ///< What of a frame no shader could draw is an error, not a warning.
 };
 
 /// Plans a description for a scene, a device and a size. The description's param and feature values

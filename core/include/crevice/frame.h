@@ -191,7 +191,7 @@ struct Frame {
     Camera camera;
     std::vector<DrawItem> draws;
     std::vector<Material> materials;
-    std::vector<Light> lights;  ///< Past kMaxLights left out, with a warning when compiled.
+    std::vector<Light> lights;  ///< Those past kMaxLights are left out; the plan warns.
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
     std::vector<ImportedTexture> textures;
     std::vector<FrameView> other_views;  ///< From 1 on, orthographic or reversed if `camera` is.
