@@ -4,6 +4,7 @@
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
+#include "tools/render/scene/file/left_out.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,8 +22,9 @@ void addSchemaCommand(CLI::App& app, int& exit_code)
     auto options = std::make_shared<Options>();
     command
         ->add_option("--format", options->format,
-                     "json: a JSON Schema (draft 7) for editors; markdown: tables for readers")
-        ->check(CLI::IsMember({"json", "markdown"}))
+                     "json: a JSON Schema (draft 7) for editors; markdown: tables for readers; "
+                     "scenes: what is read of scene files")
+        ->check(CLI::IsMember({"json", "markdown", "scenes"}))
         ->capture_default_str();
     addCheckoutOption(*command, options->checkout);
     command->footer(
@@ -31,8 +33,10 @@ void addSchemaCommand(CLI::App& app, int& exit_code)
         "  crevice schema --format markdown");
     command->callback([options, &exit_code] {
         const CheckoutSources sources(options->checkout);
-        const bool json = options->format == "json";
-        printLines(json ? schemaJson(sources) : schemaMarkdown());
+        const std::string& format = options->format;
+        printLines(format == "json"       ? schemaJson(sources)
+                   : format == "markdown" ? schemaMarkdown()
+                                          : gltfTables() + "\n" + mtlTable());
         exit_code = kExitOk;
     });
 }

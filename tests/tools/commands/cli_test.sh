@@ -146,8 +146,8 @@ expect 1 'CV7002.*longer than 1 s' render learnopengl --scene cut.ply --import-t
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off
 expect 1 'help: .*--any-format' explain learnopengl --scene triangle.off
 expect 0 'plan' explain learnopengl --scene triangle.off --any-format
-printf '{"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_mesh_quantization"]}' >packed.gltf
-expect 1 'CV7002.*KHR_mesh_quantization' render learnopengl --scene packed.gltf
+printf '{"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_texture_basisu"]}' >packed.gltf
+expect 1 'CV7002.*KHR_texture_basisu' render learnopengl --scene packed.gltf
 expect 4 'CV7007' render learnopengl --scene plane --out color=nowhere/a.png
 expect 2 'CV8001.*json' render learnopengl --save-patch patch.txt
 expect 0 'wrote saved.json' render learnopengl --scene nowhere --set radius=0.8 --save-patch saved.json

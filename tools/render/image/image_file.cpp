@@ -10,6 +10,7 @@
 #define STBI_NO_STDIO
 #define STBI_MAX_DIMENSIONS (1 << 15)  // no device holds more, and a broken header often says more
 #include <stb/stb_image.h>
+#include <webp/decode.h>
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
@@ -186,8 +187,31 @@ Result<Image> decodeByStb(std::string_view bytes, const std::string& name, doubl
         stbi_image_free);
     if (!rows)
         return brokenImage(name, stbi_failure_reason(),
-                           "is it a picture? PNG, PFM, JPEG, BMP, TGA and others are read");
+                           "is it a picture? PNG, PFM, JPEG, WebP, BMP, TGA and others are read");
     return imageFromRows(rows.get(), extent, channels);
+}
+
+bool isWebp(std::string_view bytes)
+{
+    return bytes.size() > 12 && bytes.substr(0, 4) == "RIFF" && bytes.substr(8, 4) == "WEBP";
+}
+
+Result<Image> decodeWebp(std::string_view bytes, const std::string& name, double most_pixels)
+{
+    const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    constexpr int kChannels = 4;
+    Extent extent;
+    if (!WebPGetInfo(data, bytes.size(), &extent.width, &extent.height))
+        return brokenImage(name, "its header is damaged");
+    if (const Status fits = checkImageSize(name, extent, kChannels, most_pixels); !fits)
+        return fits.diagnostics();
+    const std::unique_ptr<std::uint8_t, void (*)(void*)> rows(
+        WebPDecodeRGBA(data, bytes.size(), &extent.width, &extent.height), WebPFree);
+    if (!rows) return brokenImage(name, "its pixels are damaged");
+    const auto count = static_cast<std::size_t>(extent.width) * extent.height * kChannels;
+    std::vector<stbi_us> wide(rows.get(), rows.get() + count);
+    for (stbi_us& each : wide) each = static_cast<stbi_us>(each * 257);
+    return imageFromRows(wide.data(), extent, kChannels);
 }
 
 }  // namespace
@@ -306,7 +330,12 @@ Result<Image> readImage(const std::string& path, double most_pixels)
 Result<Image> decodeImage(std::string_view bytes, const std::string& name, double most_pixels)
 {
     if (bytes.empty()) return brokenImage(name, "it is empty");
-    return isPfm(bytes) ? decodePfm(bytes, name) : decodeByStb(bytes, name, most_pixels);
+    if (isPfm(bytes)) return decodePfm(bytes, name);
+    if (bytes.substr(1, 3) == "KTX")
+        return brokenImage(name, "KTX textures are not read",
+                           "convert it: 'gltf-transform ktxdecompress in.glb out.glb'");
+    return isWebp(bytes) ? decodeWebp(bytes, name, most_pixels)
+                         : decodeByStb(bytes, name, most_pixels);
 }
 
 }  // namespace crevice

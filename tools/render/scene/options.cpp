@@ -28,6 +28,23 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
                        : "";
         });
     addRootOption(app, options.roots);
+    app.add_option(
+           "--time", options.pose_s,
+           "Draw a glTF file's first animation at that time. Default: nodes, skins and morph "
+           "targets at rest")
+        ->type_name("SECONDS");
+    const std::map<std::string, Up> axes = {{"y", Up::y}, {"z", Up::z}};
+    app.add_option("--up", options.up,
+                   "The axis of a file that points up. Default: z for STL, y for others")
+        ->type_name("y|z")
+        ->transform(CLI::Transformer(axes));
+    const std::map<std::string, bool> ways = {{"out", false}, {"solid", true}};
+    app.add_option(
+           "--blended", options.blended_solid,
+           "Surfaces that are seen through (glass; glTF's BLEND): left out, since they take "
+           "and cast no occlusion, or drawn solid. Default: out")
+        ->type_name("out|solid")
+        ->transform(CLI::Transformer(ways));
 }
 
 void addSceneOption(CLI::App& app, std::string& scene)

@@ -7,6 +7,8 @@
 
 #include <crevice/frame.h>
 
+#include <optional>
+
 namespace crevice {
 
 /// An axis-aligned box in world space; empty (min above max) until something is added.
@@ -33,6 +35,7 @@ struct SceneMaterial {
     float normal_scale = 1.0f;             ///< Of its x and y.
     int occlusion_texture = -1;            ///< Into Scene::textures; baked visibility in red.
     float occlusion_strength = 1.0f;       ///< [0, 1]; 0 is open.
+    bool blended = false;                  ///< Seen through: it takes and casts no occlusion.
 };
 
 /// Four channels, linear, in [0, 1].
@@ -120,13 +123,19 @@ struct Scene {
 /// `bounds` with a hair to spare; a near distance is then at least a thousandth of the far one.
 glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& bounds);
 
-/// What reading a file may do.
+/// Which axis of a file points up; `guess` is z for STL, which has no custom, and y for others.
+enum class Up { guess, y, z };
+
+/// What reading a file may do, and how it is taken.
 struct ImportOptions {
     /// Every format that Assimp knows, and not glTF 2.0, OBJ, PLY, STL and 3DS alone.
     bool any_format = false;
     double time_s = 0;  ///< At most; 0 leaves 3 s and another for each MiB of the file.
     /// Folders beside the file's own, files below which it may name.
     std::vector<std::string> roots = {};
+    std::optional<double> pose_s = {};  ///< A time of a glTF file's animation; nothing is at rest.
+    Up up = Up::guess;
+    bool blended_solid = false;  ///< Surfaces that are seen through stay, as others.
 };
 
 /// A built-in scene or a file: glTF 2.0, OBJ, PLY, STL, 3DS. A name without a

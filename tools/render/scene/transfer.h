@@ -113,9 +113,9 @@ template <class Pipe>
 void transfer(Pipe& pipe, SceneMaterial& material)
 {
     auto& [name, base_color, base_color_texture, specular, shininess, alpha_cutoff, normal_texture,
-           normal_scale, occlusion_texture, occlusion_strength] = material;
+           normal_scale, occlusion_texture, occlusion_strength, blended] = material;
     transferAll(pipe, name, base_color, base_color_texture, specular, shininess, alpha_cutoff,
-                normal_texture, normal_scale, occlusion_texture, occlusion_strength);
+                normal_texture, normal_scale, occlusion_texture, occlusion_strength, blended);
 }
 
 template <class Pipe>

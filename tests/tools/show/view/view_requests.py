@@ -205,7 +205,7 @@ def check_view():
     check("the camera is told", shown["camera"] == "eye=1,2,3")
     check("the scene comes as bytes", shown["scene"] == {"name": "model.obj", "bytes": True})
     scene = ask("GET", base + "scene").data
-    check("which are a scene's", scene[:8] == b"crvs\1\0\0\0" and len(scene) > 200)
+    check("which are a scene's", scene[:8] == b"crvs\2\0\0\0" and len(scene) > 200)
 
 
 check_page()

@@ -23,6 +23,8 @@ public:
     /// Counts its size, once.
     void opens(const std::filesystem::path& file);
 
+    const std::set<std::string>& opened() const { return opened_; }
+
     /// Of the scene and of all that was opened.
     std::uint64_t bytes() const { return bytes_; }
 

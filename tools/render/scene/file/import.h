@@ -4,50 +4,73 @@
 
 #include "tools/render/scene/scene.h"
 
+#include <string_view>
+
 struct aiScene;
 
 namespace crevice {
 
 class SceneFolder;
+class SceneTextures;
 
 /// What a message may suggest instead of a file that cannot be read.
 constexpr const char* kSceneFormats = "scenes are glTF 2.0 (.gltf, .glb), OBJ, PLY, STL or 3DS";
 
+/// Without the dot, as Assimp writes them. Its readers of other formats are older and less tried.
+inline const std::vector<std::string> kDefaultFormats = {"gltf", "glb", "obj", "ply", "stl", "3ds"};
+
 /// Whether the file's extension is that of a format that is read unless any is asked for.
 bool isDefaultFormat(const std::string& path);
+
+/// By the file's extension.
+bool isGltf(const std::string& path);
+
+/// "Base Color.png" of "Base%20Color.png", as URIs write it.
+std::string percentDecoded(const std::string& text);
 
 /// CV7002.
 Diagnostic brokenScene(const std::string& path, const std::string& reason,
                        std::string help = kSceneFormats);
 
-/// Requires a regular file. Throws what Assimp throws; Assimp may assert, crash, hang or fill the
-/// memory. Errors: CV7002, CV7003.
+/// A scene as a file has it, and what was wrong with it.
+struct ReadScene {
+    Scene scene = {};
+    std::size_t dropped = 0;  ///< Faces that had no finite place.
+    std::size_t turned = 0;   ///< See finishMesh.
+};
+
+/// Requires a regular file; may crash, hang or fill the memory. Errors: CV7002, CV7003.
 Result<Scene> readScene(const std::string& path, const ImportOptions& options);
 
+/// Throws BrokenGltf for what the reader or the accessors find.
+Result<ReadScene> readGltf(const std::string& path, const ImportOptions& options,
+                           SceneFolder& folder, Diagnostics& warnings);
+
+/// Throws what Assimp throws.
+Result<ReadScene> readByAssimp(const std::string& path, const ImportOptions& options,
+                               SceneFolder& folder, Diagnostics& warnings);
+
 /// Appends a material for each of `from`'s, in its order, and the base-colour textures that they
-/// use, each once. `path` is the scene file's: textures are looked for beside it. One that is
-/// missing or broken is left out, with a warning CV7005; one that `folder` does not open, without.
-void importMaterials(const aiScene& from, const std::string& path, SceneFolder& folder,
-                     Scene& scene, Diagnostics& warnings);
+/// use, each once.
+void importMaterials(const aiScene& from, SceneTextures& textures, Scene& scene);
 
 /// world_from_node by node name: Assimp's cameras and lights stand where the node of their name is.
 using NodePlaces = std::map<std::string, glm::dmat4>;
 
-/// By the file's extension.
-bool isGltf(const std::string& path);
+/// Appends all cameras.
+void importCameras(const aiScene& from, const NodePlaces& places, Scene& scene);
 
-/// Appends all cameras. `path` is the scene file's; its extension says whether it is glTF.
-void importCameras(const aiScene& from, const std::string& path, const NodePlaces& places,
-                   Scene& scene);
+/// Appends point, spot and directional lights.
+void importLights(const aiScene& from, const NodePlaces& places, Scene& scene);
 
 /// Turns closed surfaces that are inside out, winding and normals, and returns how many. A room
 /// that is seen from inside is no such surface: a camera, or the centre of another surface's box,
 /// is in its box.
 std::size_t turnInsideOut(Scene& scene);
 
-/// Appends point, spot and directional lights. Files give candela, lux, watts or plain fractions;
-/// here a colour is what arrives at the centre of the scene, relative to what the brightest light
-/// brings there (whose largest channel is 1). Needs the scene's meshes and instances.
-void importLights(const aiScene& from, const NodePlaces& places, Scene& scene);
+/// Files give candela, lux, watts or plain fractions; afterwards a light's colour is what arrives
+/// at the centre of the scene, relative to what the brightest light brings there (whose largest
+/// channel is 1): an exposure for the scene's middle.
+void normalizeLights(Scene& scene);
 
 }  // namespace crevice

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/scene/file/import.h"
 
-#include "tools/render/image/image_file.h"
-
 #include <assimp/scene.h>
-#include <assimp/version.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -13,9 +10,6 @@
 namespace crevice {
 
 namespace {
-
-// Assimp's glTF reader gives this where the file leaves the far plane out.
-constexpr float kAssimpDefaultFar = 100.0f;
 
 glm::dvec3 vectorFrom(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
@@ -33,25 +27,19 @@ glm::dvec3 turned(const glm::dmat4& place, const aiVector3D& direction, const gl
     return length > 0.0 && std::isfinite(length) ? world / length : fallback;
 }
 
-// Assimp keeps the horizontal angle. Before 5.3 its glTF reader multiplied glTF's vertical angle by
-// the aspect ratio; since then, and in all other formats, the tangents are in that proportion.
-double verticalAngle(const aiCamera& camera, bool gltf)
+double verticalAngle(const aiCamera& camera)
 {
     const double aspect = camera.mAspect > 0.0f ? camera.mAspect : 1.0;
-    const bool linear = gltf && aiGetVersionMajor() * 100 + aiGetVersionMinor() < 503;
-    const double angle = linear ? camera.mHorizontalFOV / aspect
-                                : 2.0 * std::atan(std::tan(camera.mHorizontalFOV * 0.5) / aspect);
+    const double angle = 2.0 * std::atan(std::tan(camera.mHorizontalFOV * 0.5) / aspect);
     return angle > 0.0 && angle < 3.14 ? angle : SceneCamera().fov_y_rad;
 }
 
-SceneCamera cameraFrom(const aiCamera& from, const NodePlaces& places, bool gltf)
+SceneCamera cameraFrom(const aiCamera& from, const NodePlaces& places)
 {
     SceneCamera camera;
     camera.name = from.mName.C_Str();
     const glm::dmat4 place = placeOf(places, from.mName);
-    // Assimp 5.2 moves glTF's cameras twice: by their node and by a copy of its translation.
-    const glm::dvec3 offset = gltf ? glm::dvec3(0.0) : vectorFrom(from.mPosition);
-    const glm::dvec3 eye = place * glm::dvec4(offset, 1.0);
+    const glm::dvec3 eye = place * glm::dvec4(vectorFrom(from.mPosition), 1.0);
     const glm::dvec3 forward = turned(place, from.mLookAt, {0, 0, -1});
     glm::dvec3 up = turned(place, from.mUp, {0, 1, 0});
     if (glm::length(glm::cross(forward, up)) < 1e-6) up = {forward.y, forward.z, forward.x};
@@ -60,9 +48,9 @@ SceneCamera cameraFrom(const aiCamera& from, const NodePlaces& places, bool gltf
     if (camera.orthographic)
         camera.half_height = from.mOrthographicWidth / (from.mAspect > 0.0f ? from.mAspect : 1.0f);
     else
-        camera.fov_y_rad = verticalAngle(from, gltf);
+        camera.fov_y_rad = verticalAngle(from);
     camera.near_distance = std::max(from.mClipPlaneNear, 0.0f);
-    if (!gltf || from.mClipPlaneFar != kAssimpDefaultFar) camera.far_distance = from.mClipPlaneFar;
+    camera.far_distance = from.mClipPlaneFar;
     return camera;
 }
 
@@ -106,6 +94,8 @@ double dimming(const Light& light, const Bounds& bounds)
     return divisor > 0.0 && std::isfinite(divisor) ? divisor : 1.0;
 }
 
+}  // namespace
+
 // Lights that are off stay so; where what one brings is no number, all go.
 void normalizeLights(Scene& scene)
 {
@@ -126,20 +116,10 @@ void normalizeLights(Scene& scene)
         if (brightest > 0.0) each.light.color /= static_cast<float>(brightest);
 }
 
-}  // namespace
-
-bool isGltf(const std::string& path)
+void importCameras(const aiScene& from, const NodePlaces& places, Scene& scene)
 {
-    const std::string extension = lowerExtension(path);
-    return extension == ".gltf" || extension == ".glb";
-}
-
-void importCameras(const aiScene& from, const std::string& path, const NodePlaces& places,
-                   Scene& scene)
-{
-    const bool gltf = isGltf(path);
     for (unsigned index = 0; index < from.mNumCameras; ++index)
-        scene.cameras.push_back(cameraFrom(*from.mCameras[index], places, gltf));
+        scene.cameras.push_back(cameraFrom(*from.mCameras[index], places));
 }
 
 void importLights(const aiScene& from, const NodePlaces& places, Scene& scene)
@@ -147,7 +127,6 @@ void importLights(const aiScene& from, const NodePlaces& places, Scene& scene)
     for (unsigned index = 0; index < from.mNumLights; ++index)
         if (isSupported(*from.mLights[index]))
             scene.lights.push_back(lightFrom(*from.mLights[index], places));
-    normalizeLights(scene);
 }
 
 }  // namespace crevice

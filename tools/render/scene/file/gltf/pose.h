@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Where the nodes of a glTF file stand: at rest, or at a moment of its animation.
+#pragma once
+
+#include "tools/render/scene/file/gltf/keys.h"
+
+#include <optional>
+
+namespace crevice {
+
+struct PosedNode {
+    glm::dmat4 parent_from_node = glm::dmat4(1.0);
+    glm::dmat4 world_from_node = glm::dmat4(1.0);
+    std::vector<double> weights = {};  ///< Of morph targets; empty for its mesh's.
+    bool drawn = false;                ///< It is in the scene, and neither it nor a parent hidden.
+};
+
+/// Every node of the file. `time_s` is a time of its first animation, or nothing for rest.
+/// Throws BrokenGltf.
+std::vector<PosedNode> posedNodes(const GltfFile& file, std::optional<double> time_s,
+                                  LeftOut& left_out);
+
+/// From the model to the world at each joint of a skin; empty for an index that is none.
+/// Throws BrokenGltf.
+std::vector<glm::dmat4> jointsOf(const GltfFile& file, int skin,
+                                 const std::vector<PosedNode>& nodes);
+
+}  // namespace crevice

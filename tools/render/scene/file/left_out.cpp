@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "tools/render/scene/file/left_out.h"
+
+#include "core/base/files.h"
+#include "core/base/text.h"
+#include "tools/commands/cli/output.h"
+#include "tools/render/image/image_file.h"
+
+namespace crevice {
+
+namespace {
+
+// Of .mtl files, in lower case.
+const std::vector<std::string> kMtlRead = {"newmtl", "kd", "d",  "tr",  "map_kd",
+                                           "map_d",  "ks", "ns", "norm"};
+constexpr std::pair<std::string_view, const char*> kMtlHarmless[] = {
+    {"ka", "ambient light is that of the config"},
+    {"map_ka", "ambient light is that of the config"},
+    {"illum", "lighting is that of the config"},
+    {"ni", "nothing is refracted"},
+};
+constexpr std::pair<std::string_view, const char*> kMtlLook[] = {
+    {"ke", "emission"},
+    {"map_ke", "emission"},
+    {"map_ks", "maps of highlights"},
+    {"map_ns", "maps of highlights"},
+    {"tf", "coloured glass"},
+    {"bump", "bump maps"},
+    {"map_bump", "bump maps"},
+    {"refl", "reflections"},
+};
+
+constexpr std::size_t kLongestMtl = 64u << 20;
+
+template <class Rows>
+auto rowOf(const Rows& rows, std::string_view key)
+{
+    return std::find_if(std::begin(rows), std::end(rows),
+                        [&](const auto& each) { return each.first == key; });
+}
+
+void findLeftOutOfLine(std::string_view line, LeftOut& left_out)
+{
+    std::vector<std::string> words;
+    std::string_view blanks = " \t\r";
+    while (!line.empty()) {
+        const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
+        line.remove_prefix(begin);
+        const std::size_t end = std::min(line.find_first_of(blanks), line.size());
+        if (end > 0) words.emplace_back(line.substr(0, end));
+        line.remove_prefix(end);
+    }
+    if (words.empty() || words[0][0] == '#') return;
+    std::string key = words[0];
+    std::transform(key.begin(), key.end(), key.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    const auto look = rowOf(kMtlLook, key);
+    const bool black =
+        key == "ke" && std::all_of(words.begin() + 1, words.end(), [](const std::string& each) {
+            std::string_view rest = each;
+            return takeNumber(rest).value_or(1) == 0;
+        });
+    if (look != std::end(kMtlLook)) {
+        if (!black) left_out.look.insert(look->second);
+        return;
+    }
+    const bool known =
+        contains(kMtlRead, key) || rowOf(kMtlHarmless, key) != std::end(kMtlHarmless);
+    if (!known) left_out.shape.insert("the key '" + words[0] + "' of its materials");
+    if (startsWith(key, "map_") && words.size() > 2 && words[1][0] == '-')
+        left_out.shape.insert("the option '" + words[1] + "' of " + words[0]);
+}
+
+std::vector<std::string> listOf(const std::set<std::string>& all)
+{
+    return {all.begin(), all.end()};
+}
+
+}  // namespace
+
+Diagnostic LeftOut::warning(const std::string& path) const
+{
+    std::vector<std::string> parts;
+    if (!shape.empty()) parts.push_back("without " + joined(listOf(shape)));
+    if (!look.empty()) parts.push_back("in colours without " + joined(listOf(look)));
+    return asWarning({Code::scene_features,
+                      "the scene '" + path + "' is drawn " + joined(parts, " and "),
+                      shape.empty() ? "ambient occlusion needs none of it"
+                                    : "compare the picture with another viewer's"});
+}
+
+void findLeftOutOfMtl(const std::string& file, LeftOut& left_out)
+{
+    if (lowerExtension(file) != ".mtl") return;
+    const FileBytes text = readBytes(file, kLongestMtl);
+    for (const std::string_view line : split(text.bytes, '\n')) findLeftOutOfLine(line, left_out);
+}
+
+std::string mtlTable()
+{
+    std::string text = "| key of .mtl | |\n|---|---|\n";
+    for (const std::string& key : kMtlRead) text += "| `" + key + "` | read |\n";
+    for (const auto& [key, why] : kMtlHarmless)
+        text += "| `" + std::string(key) + "` | changes nothing: " + why + " |\n";
+    for (const auto& [key, what] : kMtlLook)
+        text += "| `" + std::string(key) + "` | named: " + what + " |\n";
+    return text;
+}
+
+}  // namespace crevice
