@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Each optimization has work in what ships; one that has none is to be deleted.
+// Shipped configs on what a host has of a surface: the passes that remain, and what is left out.
+// What GLSL ES leaves to chance is written: a sampler without a precision is lowp, which holds 8
+// bits, and a literal has the precision of what it meets.
+#include <crevice/config.h>
 #include <crevice/recording_device.h>
 #include <crevice/renderer.h>
 
+#include "tests/support/plan_rig.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/show/plan/costs.h"
+#include "tools/show/plan/planning.h"
+#include "tools/show/plan/print.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+
+#include <regex>
 
 using namespace crevice;
 
@@ -69,6 +77,72 @@ bool fires(const std::string& optimization, const std::string& config)
     return false;
 }
 
+const char* const kPresets[] = {
+    "mobile_low",    "mobile",    "mobile_temporal", "balanced", "balanced_temporal",
+    "high",          "reference", "quality",         "gtao",     "bitmask",
+    "bitmask_layers"};
+
+/// A module, and the textures that it reads.
+const std::pair<const char*, std::vector<std::string>> kHosts[] = {
+    {"geometry/host_depth", {"depth"}},
+    {"geometry/host_depth_normal", {"depth", "normal"}},
+    {"geometry/host_linear_depth_normal", {"linear_depth", "normal"}},
+    {"geometry/host_log_depth", {"log_depth"}},
+    {"geometry/host_position_normal", {"position", "normal"}},
+};
+
+Description presetOn(const std::string& preset, const std::string& module)
+{
+    return descriptionOf({preset}, {"+" + module});
+}
+
+Plan planOn(const Description& description)
+{
+    CompileOptions options;
+    options.extent = {256, 144};
+    Result<Plan> plan = compile(description, usualTraits(), usualCaps(), options);
+    INFO(toText(plan.diagnostics()));
+    REQUIRE(plan);
+    CHECK(plan.diagnostics().empty());
+    return std::move(*plan);
+}
+
+/// The passes between the scene and the light, by name: among those that are ready the order is
+/// that of the document, which other modules lead. A host has no layers.
+std::vector<std::string> occlusionPasses(const Plan& plan)
+{
+    std::vector<std::string> names;
+    for (const PlanPass& pass : plan.passes)
+        if (pass.type == PassType::fullscreen && pass.name != "lighting" &&
+            pass.name != "host_distance" && pass.name != "source_layers")
+            names.push_back(pass.name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// The precision of a sampler that the text declares, empty where the declaration has none.
+std::string precisionOf(const std::string& text, const std::string& sampler)
+{
+    const std::regex declaration("uniform\\s+(?:(highp|mediump|lowp)\\s+)?sampler2D(?:MS)?\\s+" +
+                                 sampler + "\\s*;");
+    std::smatch found;
+    return std::regex_search(text, found, declaration) ? found[1].str() : "";
+}
+
+/// Whether half floats lose what a texture holds.
+bool isWide(Format format)
+{
+    const FormatInfo& info = formatInfo(format);
+    return info.format_class == FormatClass::depth ||
+           (info.format_class == FormatClass::floating && info.bytes == 4 * info.channels);
+}
+
+bool isWide(const Plan& plan, const PlanInput& input)
+{
+    if (input.kind != InputKind::target && input.kind != InputKind::history) return false;
+    return isWide(plan.textures[plan.targets[input.index].texture].format);
+}
+
 }  // namespace
 
 TEST_CASE("Every optimization fires in at least three shipped configs")
@@ -79,5 +153,74 @@ TEST_CASE("Every optimization fires in at least three shipped configs")
             if (configs < 3 && fires(optimization, config)) ++configs;
         INFO(optimization);
         CHECK(configs == 3);
+    }
+}
+
+TEST_CASE("Every preset runs on a host's surface: it draws nothing, and computes occlusion as ever")
+{
+    for (const char* preset : kPresets)
+        for (const auto& [module, textures] : kHosts) {
+            INFO(preset << " on " << module);
+            const Plan drawn = planOn(descriptionOf({preset}));
+            const Plan plan = planOn(presetOn(preset, module));
+            CHECK(occlusionPasses(plan) == occlusionPasses(drawn));
+            for (const PlanPass& pass : plan.passes) CHECK(pass.type == PassType::fullscreen);
+            REQUIRE(plan.outputs.size() == 1);
+            CHECK(plan.outputs[0].name == "ao");
+            for (const ImportDesc& import : plan.imports)
+                CHECK((import.type == ImportType::camera ||
+                       std::count(textures.begin(), textures.end(), import.name) == 1));
+            CHECK((elided(plan, "module geometry/back_faces") == nullptr) ==
+                  (findNamed(drawn.passes, "back_faces") == nullptr &&
+                   std::string(preset) != "quality"));
+
+            // It runs with those textures alone, and asks for each.
+            RecordingDevice device(usualCaps());
+            Frame frame;
+            auto renderer = need(Renderer::create(device, presetOn(preset, module),
+                                                  {{64, 36}, {}, {}}, traitsOf(frame)));
+            const Status missing = renderer->render(frame);
+            REQUIRE_FALSE(missing);
+            CHECK(missing.diagnostics().front().code == Code::missing_import);
+            for (const std::string& name : textures) {
+                const TextureId id = need(device.createTexture({name, Format::rgba16f, {64, 36}}));
+                need(device.writeTexture(id, Image({64, 36}, 4)));
+                frame.textures.push_back({name, id});
+            }
+            need(renderer->render(frame));
+            need(renderer->render(frame));
+            CHECK(device.misuse().empty());
+        }
+}
+
+TEST_CASE("Every sampler of a shipped shader has a precision, and no literal is shifted by a count")
+{
+    const std::regex bare("uniform\\s+sampler");
+    // Which is converted in the same expression.
+    const std::regex shift("\\b[0-9]\\w*\\s*<<\\s*u?int\\s*\\(");
+    CHECK(std::regex_search("1u << uint(max(first, last) + 0.5)", shift));
+    CHECK_FALSE(std::regex_search("1 << (level - 1)", shift));
+    for (const std::string& path : shippedSources().list()) {
+        INFO(path);
+        CHECK_FALSE(std::regex_search(shippedSources().find(path)->text, bare));
+        CHECK_FALSE(std::regex_search(shippedSources().find(path)->text, shift));
+    }
+}
+
+TEST_CASE("What reads depth or 32-bit floats in a shipped config has a highp sampler for it")
+{
+    for (const Subject& subject : subjects()) {
+        ConfigOptions options;
+        options.config = subject.config;
+        options.variant = subject.variant;
+        const Plan plan = need(planWithoutDevice(options, shippedSources()));
+        for (const PlanPass& pass : plan.passes)
+            for (const PlanInput& input : pass.inputs) {
+                if (input.name.empty() || !isWide(plan, input)) continue;
+                INFO(subject.config << " " << subject.variant << ", pass " << pass.name << ", "
+                                    << input.name);
+                CHECK(precisionOf(plan.programs[pass.program].fragment.text, input.name) ==
+                      "highp");
+            }
     }
 }

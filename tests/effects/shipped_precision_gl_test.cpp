@@ -3,7 +3,7 @@
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 
-#include "tools/render/device/mediump_device.h"
+#include "tools/render/device/open_device.h"
 #include "tools/render/scene/camera_framing.h"
 
 #include <glm/gtc/matrix_transform.hpp>

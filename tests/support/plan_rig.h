@@ -6,7 +6,6 @@
 
 #include "core/base/text.h"
 #include "tests/support/test_config.h"
-#include "tools/show/plan/costs.h"
 #include "tools/show/plan/print.h"
 
 #include <set>

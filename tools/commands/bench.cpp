@@ -3,11 +3,11 @@
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
+#include "tools/measure/bench/choice.h"
 #include "tools/measure/bench/measure.h"
-#include "tools/measure/bench/run_options.h"
-#include "tools/measure/bench/views.h"
-#include "tools/measure/motion/table.h"
-#include "tools/measure/reference/reference_cache.h"
+#include "tools/measure/bench/run.h"
+#include "tools/measure/motion/figures.h"
+#include "tools/measure/reference/tracer.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/scene/options.h"
 
@@ -141,11 +141,9 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
     addList(app, "--set", bench.overrides, "NAME=VALUE",
             "Set a value in every config, as for crevice render; may be repeated");
     addHostDepthOption(app, bench.overrides);
-    app.add_option("--output", bench.output,
-                   "Time what this output needs: color for whole frames, with geometry, occlusion "
-                   "and light. The error stays that of ao")
-        ->type_name("NAME")
-        ->capture_default_str();
+    addText(app, "--output", bench.output, "NAME",
+            "Time what this output needs: color for whole frames, with geometry, occlusion "
+            "and light. The error stays that of ao");
     app.add_option("--camera", bench.camera, "A camera, written as for crevice render");
     app.add_option("--rays", bench.rays, "Rays per pixel of the ground truth")
         ->capture_default_str();

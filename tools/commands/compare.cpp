@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // crevice compare: how far one image is from another, and whether that is within limits.
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/commands/cli/output_request.h"
 #include "tools/commands/commands.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/image/image_metrics.h"
@@ -183,8 +183,8 @@ void addCompareCommand(CLI::App& app, int& exit_code)
     command->add_option("TEST", options->test, "The image to measure, PNG or PFM")->required();
     command->add_option("GROUND_TRUTH", options->ground_truth, "The image to compare with")
         ->required();
-    command->add_option("--mask", options->mask, "Compare only pixels where this image is above 0")
-        ->type_name("FILE");
+    addText(*command, "--mask", options->mask, "FILE",
+            "Compare only pixels where this image is above 0");
     command
         ->add_option("--max-rmse", options->max_rmse,
                      "Fail (5) if the rmse is above this, such as 0.05")
@@ -197,10 +197,8 @@ void addCompareCommand(CLI::App& app, int& exit_code)
                      "Fail (5) if a larger share of pixels is bad, [0, 1]")
         ->check(checkLimit)
         ->check(CLI::Range(0.0, 1.0));
-    command
-        ->add_option("--diff", options->difference,
-                     "Write the signed difference to this file: red is too bright, blue too dark")
-        ->type_name("FILE.png");
+    addText(*command, "--diff", options->difference, "FILE.png",
+            "Write the signed difference to this file: red is too bright, blue too dark");
     command->add_flag("--json", options->json, "Print the figures as JSON");
     command->footer(
         "Examples:\n"

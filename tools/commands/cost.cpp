@@ -2,10 +2,9 @@
 // crevice cost: what configs cost on phones' GPUs, by their compilers, and whether it is more than
 // what was approved.
 #include "tools/measure/cost/cost.h"
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/commands/cli/output_request.h"
 #include "tools/commands/commands.h"
-#include "tools/measure/cost/check.h"
 #include "tools/measure/cost/gpus.h"
 #include "tools/render/image/image_file.h"
 
@@ -96,20 +95,14 @@ void addCostCommand(CLI::App& app, int& exit_code)
     for (const CostGpu& gpu : costGpus())
         gpus += std::string(&gpu == &costGpus().front() ? " " : ", ") + gpu.name;
     addList(*command, "--gpu", options->cost.gpus, "NAME", gpus);
-    command
-        ->add_option("--compilers", options->cost.compilers,
-                     "Where tools/scripts/mobile_compilers.sh built them. Default: "
-                     "CREVICE_MOBILE_COMPILERS, or the script's own")
-        ->type_name("FOLDER");
+    addText(*command, "--compilers", options->cost.compilers, "FOLDER",
+            "Where tools/scripts/mobile_compilers.sh built them. Default: "
+            "CREVICE_MOBILE_COMPILERS, or the script's own");
     command->add_flag("--json", options->json, "Print all figures as JSON");
-    command->add_option("--out", options->out, "Write that JSON to a file, for --check")
-        ->type_name("FILE");
-    command
-        ->add_option(
-            "--check", options->check,
+    addText(*command, "--out", options->out, "FILE", "Write that JSON to a file, for --check");
+    addText(*command, "--check", options->check, "FILE",
             "Measure what that file of --out holds again, and fail (5) where a config's AO "
-            "loses occupancy or takes a tenth more")
-        ->type_name("FILE");
+            "loses occupancy or takes a tenth more");
     command->footer(
         "Examples:\n"
         "  crevice cost mobile learnopengl\n"

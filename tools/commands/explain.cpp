@@ -4,7 +4,7 @@
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/render/device/open_device.h"
-#include "tools/render/output_source.h"
+#include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
 #include "tools/show/plan/explain_value.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // crevice reference: the ray-traced ambient occlusion that configs are measured against.
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/commands/cli/output_request.h"
 #include "tools/commands/commands.h"
-#include "tools/measure/reference/reference_cache.h"
+#include "tools/measure/reference/tracer.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/options.h"
 
@@ -62,10 +62,8 @@ void addReferenceCommand(CLI::App& app, int& exit_code)
         ->capture_default_str();
     command->add_option("--rays", options->trace.rays, "Rays per pixel")->capture_default_str();
     addCacheOptions(*command, options->cache);
-    command
-        ->add_option("--out", options->file,
-                     "Image file to write: 1 is open, the background is NaN")
-        ->type_name("FILE.pfm")
+    addText(*command, "--out", options->file, "FILE.pfm",
+            "Image file to write: 1 is open, the background is NaN")
         ->required();
     command->footer(
         "Examples:\n"

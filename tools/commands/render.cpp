@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // crevice render: draws a scene through a config and writes what was asked for.
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/commands/cli/save_patch.h"
 #include "tools/commands/cli/watched_files.h"
 #include "tools/commands/commands.h"
 #include "tools/render/session.h"
@@ -242,13 +242,10 @@ void addPictureOptions(CLI::App& app, RenderOptions& options)
     for (const CameraPath& path : kCameraPaths)
         paths +=
             std::string(&path == kCameraPaths ? " " : ", ") + path.name + " (" + path.what + ")";
-    app.add_option("--path", options.path, paths + ". The last frame is that of --camera")
-        ->type_name("NAME");
-    app.add_option(
-           "--save-patch", options.save_patch,
-           "Write a config that extends CONFIG and says what --variant and --set changed; draws "
-           "nothing without --out")
-        ->type_name("FILE.json");
+    addText(app, "--path", options.path, "NAME", paths + ". The last frame is that of --camera");
+    addText(app, "--save-patch", options.save_patch, "FILE.json",
+            "Write a config that extends CONFIG and says what --variant and --set changed; draws "
+            "nothing without --out");
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // crevice report: bench results as a page, and the figures beside it; or what has changed since an
 // older bench.
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/commands/cli/output_request.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/bench/compare.h"
 #include "tools/render/image/image_file.h"
@@ -87,12 +87,10 @@ void addReportCommand(CLI::App& app, int& exit_code)
         ->type_name("FILE.html");
     command->add_flag("--no-pictures", options->no_pictures, "Write a page without pictures");
     CLI::Option* against =
-        command
-            ->add_option("--against", options->against,
-                         "Write no page, but print what has changed since an older bench: exit "
-                         "code 5 where an error is another, a cost ratio is larger by 15 %, or a "
-                         "bench sample fails or is missing")
-            ->type_name("FOLDER");
+        addText(*command, "--against", options->against, "FOLDER",
+                "Write no page, but print what has changed since an older bench: exit "
+                "code 5 where an error is another, a cost ratio is larger by 15 %, or a "
+                "bench sample fails or is missing");
     command->add_flag("--errors-only", options->errors_only, "Compare no cost ratios")
         ->needs(against);
     command->footer(

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // crevice stress: at which scales, cameras and inputs a config holds, and where it breaks.
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
-#include "tools/measure/reference/reference_cache.h"
-#include "tools/measure/stress/breakdown.h"
-#include "tools/measure/stress/known.h"
+#include "tools/measure/reference/tracer.h"
+#include "tools/measure/stress/run.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/options.h"
@@ -205,19 +205,12 @@ void addStressCommand(CLI::App& app, int& exit_code)
     command->add_option("CONFIG", options->stress.configs,
                         "Shipped configs' names, or files. Default: all shipped ones");
     addList(*command, "--case", options->stress.cases, "NAME", "Only this case; may be repeated");
-    command->add_option("--size", options->size, "Size of most pictures, in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
+    addText(*command, "--size", options->size, "WxH", "Size of most pictures, in pixels");
     command->add_flag("--quick", options->stress.quick, "Two or three steps of each case");
-    command
-        ->add_option("--against", options->against,
-                     "Folder of a run before, in the place of what is known of shipped configs")
-        ->type_name("FOLDER");
-    command
-        ->add_option("--out", options->out,
-                     "Folder for known.jsonl, stress.jsonl and pictures of failures")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    addText(*command, "--against", options->against, "FOLDER",
+            "Folder of a run before, in the place of what is known of shipped configs");
+    addText(*command, "--out", options->out, "FOLDER",
+            "Folder for known.jsonl, stress.jsonl and pictures of failures");
     addConfigOptions(*command, options->config);
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);

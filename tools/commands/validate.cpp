@@ -4,8 +4,8 @@
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/render/scene/options.h"
-#include "tools/show/plan/names.h"
 #include "tools/show/plan/planning.h"
+#include "tools/show/plan/print.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -108,9 +108,7 @@ void addValidateCommand(CLI::App& app, int& exit_code)
     auto* all = command->add_flag("--all", options->all, "Check every shipped config");
     configs->excludes(all);
     addConfigOptions(*command, *options);
-    command->add_option("--size", options->size, "Pixels of the picture that is planned for")
-        ->type_name("WxH")
-        ->capture_default_str();
+    addText(*command, "--size", options->size, "WxH", "Pixels of the picture that is planned for");
     command->add_flag("--json", options->json, "Print results and diagnostics as JSON");
     command->footer(
         "Examples:\n"

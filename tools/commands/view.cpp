@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // crevice view: serves the page on this machine, with one's own config and scene.
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene/scene_bytes.h"
-#include "tools/show/view/browser.h"
 #include "tools/show/view/server.h"
 
 #include "core/base/text.h"
@@ -113,7 +113,7 @@ void addViewCommand(CLI::App& app, int& exit_code)
     command->add_option("--port", options->port, "Port of 127.0.0.1. Default: any that is free")
         ->type_name("N")
         ->check(CLI::Range(0, 65535));
-    command->add_option("--page", options->page, "Folder of the built page")->type_name("FOLDER");
+    addText(*command, "--page", options->page, "FOLDER", "Folder of the built page");
     command->add_flag("--no-browser", options->no_browser, "Print the address and open no browser");
     command->footer(
         "Saving in the page writes the file, and saving in an editor updates the page. Only who\n"

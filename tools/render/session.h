@@ -3,11 +3,11 @@
 #pragma once
 
 #include "tools/commands/cli/config_options.h"
-#include "tools/commands/cli/output_request.h"
+#include "tools/commands/cli/output.h"
 #include "tools/render/camera_path.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/host_textures.h"
-#include "tools/render/output_source.h"
+#include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
 

@@ -2,7 +2,7 @@
 #include "tools/render/target_diagnosis.h"
 
 #include "core/base/text.h"
-#include "tools/render/device/float_device.h"
+#include "tools/render/device/poison_device.h"
 
 #include <cfloat>
 #include <cmath>

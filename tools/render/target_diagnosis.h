@@ -34,7 +34,7 @@ struct TargetHealth {
 /// one size and number of channels.
 TargetHealth examine(const Image& drawn, const Image& redrawn);
 
-/// Adds what the same target held in 32-bit floats (tools/render/device/float_device.h), where its
+/// Adds what the same target held in 32-bit floats (tools/render/device/poison_device.h), where its
 /// own format `stored` hides values that it does not have: not a number, infinity, and what lies
 /// outside of [0, 1] or of half floats by more than rounding.
 void examineFloats(const Image& floats, Format stored, TargetHealth& health);

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Features whose words set params and other features: levels of quality.
+// "radius": 0.8 for {"radius": {"default": 0.8}}: what it sets, where errors point, and when it may
+// not stand.
+#include "core/config/values.h"
 #include "tests/core/config/decode_fixture.h"
 #include "tests/core/config/load_fixture.h"
 #include "tests/support/need.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
 
 using namespace crevice;
 
@@ -58,6 +65,39 @@ std::string found(const Result<Description>& result)
 }
 
 const std::string kSets = "/features/quality/sets/";
+
+const char* const kLongForm = R"({"format": 1,
+    "params": {"radius": {"default": 0.5, "min": 0, "max": 10, "unit": "scene units"},
+               "tint": {"type": "vec2", "default": [1, 2]}},
+    "features": {"fast": {}, "look": {"type": "enum", "values": ["flat", "lit"]}},
+    "passes": {"blur": {"inputs": {"ao": {"filter": "linear"}}}}})";
+
+/// A config that extends kLongForm, with its own members and an override.
+Result<Description> shortened(const std::string& members,
+                              const std::vector<std::string>& overrides = {},
+                              const std::string& variant = "")
+{
+    MemorySources sources;
+    sources.add("base.json", kLongForm);
+    sources.add("configs/mine.json", "{\"format\": 1, \"extends\": [\"base\"],\n" + members + "}");
+    const Result<Node> document = loadConfig(sources, {"mine", variant, overrides});
+    if (!document) return document.diagnostics();
+    Node tunables;  // decoded without the pass, which has no shader
+    tunables.kind = Node::Kind::object;
+    tunables.place = document->place;
+    tunables.origins = document->origins;
+    for (const Member& member : document->members)
+        if (member.key != "passes") tunables.members.push_back(member);
+    return decode(tunables, sources);
+}
+
+/// The only diagnostic.
+Diagnostic only(const Result<Description>& result)
+{
+    INFO(toText(result.diagnostics()));
+    REQUIRE(result.diagnostics().size() == 1);
+    return result.diagnostics().front();
+}
 
 }  // namespace
 
@@ -126,4 +166,59 @@ TEST_CASE("Two features may not set the same value", "[decode]")
     const Result<Description> both = extended(R"("extends": ["levels"], "features": {
         "speed": {"sets": {"true": {"taps": 1}}}})");
     CHECK(found(both) == "CV2107 /features/speed/sets/true/taps");
+}
+
+TEST_CASE("A param takes its own bounds, though no float is 0.01")
+{
+    ParamDesc power;
+    power.name = "power";
+    power.min = 0.01;
+    power.max = 0.7;
+    REQUIRE(double{0.01f} < power.min);
+    const auto takes = [&power](float value) { return checkValue(power, &value, 1).ok(); };
+    CHECK(takes(0.01f));
+    CHECK(takes(0.7f));
+    CHECK_FALSE(takes(std::nextafter(0.01f, 0.0f)));
+    CHECK_FALSE(takes(std::nextafter(0.7f, 1.0f)));
+}
+
+TEST_CASE("A bare value sets the default of what a module declares and leaves the rest", "[decode]")
+{
+    const Description d = need(shortened(
+        R"("params": {"radius": 0.8, "tint": [3, 4]}, "features": {"fast": true, "look": "lit"})"));
+    CHECK(d.params.at(0).value[0] == 0.8f);
+    CHECK(d.params.at(0).max == 10);
+    CHECK(d.params.at(0).unit == "scene units");
+    CHECK(d.params.at(1).value[1] == 4.0f);
+    CHECK(d.features.at(0).value == 1);
+    CHECK(d.features.at(1).value == 1);
+}
+
+TEST_CASE("Variants, overrides and long forms go over a bare value, and it over them", "[decode]")
+{
+    const std::string mine = R"("params": {"radius": 0.8},
+        "variants": {"wide": {"params": {"radius": 5}},
+                     "long": {"params": {"radius": {"default": 6, "max": 7}}}})";
+    const auto radius = [&](const std::vector<std::string>& overrides, const std::string& variant) {
+        return need(shortened(mine, overrides, variant)).params.at(0).value[0];
+    };
+    CHECK(radius({}, "") == 0.8f);
+    CHECK(radius({}, "wide") == 5.0f);
+    CHECK(radius({}, "long") == 6.0f);
+    CHECK(radius({"radius=2"}, "wide") == 2.0f);
+    CHECK(radius({"/params/radius=3"}, "") == 3.0f);
+    CHECK(radius({"/params/radius/default=4"}, "") == 4.0f);
+}
+
+TEST_CASE("An error in a bare value points at it", "[decode]")
+{
+    const Diagnostic range = only(shortened(R"("params": {"radius": 11})"));
+    CHECK(range.code == Code::out_of_range);
+    CHECK(range.pointer == "/params/radius/default");
+    CHECK((range.place.line == 2 && range.place.column == 22));
+    REQUIRE(range.notes.size() == 1);  // where the base sets it
+    CHECK(only(shortened(R"("params": {"radius": "wide"})")).code == Code::wrong_type);
+    CHECK(only(shortened(R"("params": {"tint": 1})")).code == Code::wrong_type);
+    CHECK(only(shortened(R"("features": {"fast": 1})")).code == Code::wrong_type);
+    CHECK(only(shortened(R"("features": {"look": "lid"})")).code == Code::bad_enum);
 }

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Frames that are timed pass by pass: which clock is taken, in which order, and when it is void.
+// What the clock of a software renderer counts, and what it does not.
 #include <crevice/renderer.h>
 
+#include "core/run/pass_timers.h"
+#include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
 
+#include <chrono>
 #include <numeric>
 #include <sstream>
+#include <thread>
 
 using namespace crevice;
 
@@ -72,6 +77,9 @@ std::unique_ptr<Renderer> chain(RecordingDevice& device, int count)
 }
 
 const std::vector<double> kFourTimes = {1.5, 0.25, 4.0, 2.0};
+
+constexpr double kSpell = 40.0;  // milliseconds
+constexpr double kMostPatience = 20e3;
 
 }  // namespace
 
@@ -204,4 +212,27 @@ TEST_CASE("Timing goes on after a new plan, and says where nothing can be measur
     CHECK(rig.renderer->times() != nullptr);
     need(rig.renderer->setTiming(false));
     CHECK(rig.renderer->times() == nullptr);
+}
+
+TEST_CASE("A software renderer's clock stands still while the process waits")
+{
+    const FrameClock processor(true), wall(false);
+    REQUIRE(processor.method() == TimingMethod::processor_time);
+    REQUIRE(wall.method() == TimingMethod::wall_clock);
+    const double begin = processor.now(), wall_begin = wall.now();
+    std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(kSpell));
+    CHECK(processor.now() - begin < kSpell / 2);
+    CHECK(wall.now() - wall_begin >= kSpell * 0.99);
+}
+
+TEST_CASE("A software renderer's clock counts the work of other threads")
+{
+    const FrameClock processor(true), wall(false);
+    const double begin = processor.now(), wall_begin = wall.now();
+    std::thread worker([&] {
+        while (processor.now() - begin < kSpell && wall.now() - wall_begin < kMostPatience)
+            continue;
+    });
+    worker.join();
+    CHECK(processor.now() - begin >= kSpell);
 }

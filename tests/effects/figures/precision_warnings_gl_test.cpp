@@ -10,7 +10,6 @@
 #include "tests/support/nightly.h"
 #include "tests/support/picture.h"
 #include "tools/commands/cli/config_options.h"
-#include "tools/measure/stress/geometry.h"
 #include "tools/measure/stress/limits.h"
 #include "tools/measure/stress/scenes.h"
 #include "tools/render/scene/mesh_shapes.h"

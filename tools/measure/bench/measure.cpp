@@ -3,15 +3,13 @@
 #include "tools/measure/bench/measure.h"
 
 #include "tools/measure/bench/run.h"
-#include "tools/measure/bench/times.h"
 #include "tools/measure/motion/measure.h"
-#include "tools/measure/reference/reference_cache.h"
+#include "tools/measure/reference/tracer.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/image/image_metrics.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/view_diagnosis.h"
-#include "tools/show/plan/costs.h"
-#include "tools/show/plan/without_occlusion.h"
+#include "tools/show/plan/print.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,16 +3,83 @@
 //
 // What is timed are the passes that the sample's output needs, by default `ao`. The config, a plain
 // copy of the depth texture (effects/command/depth_copy.json) and `learnopengl` with the same
-// radius take turns (see tools/measure/bench/times.h) until both ratios are known to a few per
+// radius take turns (see tools/measure/bench/times.cpp) until both ratios are known to a few per
 // cent. The cost of a config is the sum over its passes other than draw passes: for `ao`, what it
 // adds to a host that has a G-buffer. Beside it stands the cost with the geometry that the
 // occlusion alone needs.
 #pragma once
 
-#include "tools/measure/bench/bench.h"
+#include "tools/measure/bench/run.h"
+#include "tools/measure/bench/sample.h"
 #include "tools/render/host_textures.h"
 
+#include <crevice/renderer.h>
+
 namespace crevice {
+
+/// Draws a frame until its times are valid: a GPU's timer may be disturbed now and then.
+/// Errors: those of Renderer::renderTimed; CV6005 when the timer is disturbed time after time.
+Result<FrameTimes> timeFrame(Renderer& renderer, const Frame& frame);
+
+/// The sum over the passes that are no draw passes: what a host with a G-buffer pays for the
+/// occlusion.
+double occlusionCost(const Plan& plan, const FrameTimes& times);
+
+/// The same and the passes that `own` names, one flag a pass as ownGeometry has them: what a host
+/// pays that draws this geometry for the occlusion alone. Without flags there is none.
+double costWithGeometry(const Plan& plan, const FrameTimes& times, const std::vector<bool>& own);
+
+/// "query" (the GPU's timer), "cpu" (processor time of the process) or "wall".
+const char* clockName(TimingMethod method);
+
+/// Median and quartiles, interpolated between neighbours. Requires at least one value.
+TimeFigures timeFigures(std::vector<double> values);
+
+/// Figures of costs / units turn by turn, over the last turns of the longer; turns where a unit is
+/// not above 0 are left out. Zeros when none is left.
+TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<double>& units);
+
+/// The first decile, which no slow moment reaches. Requires at least one value.
+double quickest(std::vector<double> costs);
+
+/// True when the median of `count` values is known to within 3 %, at 95 % confidence.
+bool isSettled(const TimeFigures& figures, std::size_t count);
+
+/// A renderer that takes turns with others, and what its frames took. Renderer and frame must
+/// outlive it.
+class TurnTaker {
+public:
+    /// `own_geometry` has a flag for each pass, see costWithGeometry.
+    TurnTaker(Renderer& renderer, const Frame& frame, std::vector<bool> own_geometry = {})
+        : renderer_(&renderer),
+          frame_(&frame),
+          own_geometry_(std::move(own_geometry))
+    {
+    }
+
+    /// Draws until the turn is long enough to be measured. Errors: those of timeFrame.
+    Status takeTurn();
+
+    /// Forgets all turns so far: they were to warm up.
+    void restart();
+
+    /// Of all turns.
+    const std::vector<FrameTimes>& frames() const { return frames_; }
+
+    /// occlusionCost, the median of each turn.
+    const std::vector<double>& costs() const { return costs_; }
+
+    /// costWithGeometry, the median of each turn.
+    const std::vector<double>& costsWithGeometry() const { return costs_with_geometry_; }
+
+private:
+    Renderer* renderer_;
+    const Frame* frame_;
+    std::vector<bool> own_geometry_;
+    std::vector<FrameTimes> frames_;
+    std::vector<double> costs_;
+    std::vector<double> costs_with_geometry_;
+};
 
 struct MeasureOptions {
     int rays = 256;  ///< Per pixel of the ground truth.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which samples a bench measures: the product of its lists, and their keys.
-#include "tools/measure/bench/bench.h"
+#include "tools/measure/bench/run.h"
 
 #include "tools/measure/line_file.h"
-#include "tools/measure/reference/reference_cache.h"
+#include "tools/measure/reference/tracer.h"
 #include "tools/measure/taps.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene/options.h"

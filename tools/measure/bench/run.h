@@ -1,16 +1,75 @@
 // SPDX-License-Identifier: MIT
-// A bench at work: its samples measured one after the other into a file.
+// A bench: which samples are to be measured, how they are measured one after the other into a file,
+// and what the console says of it.
 //
 // What the file has under a sample's key is not measured again. How a sample is measured is the
-// caller's; no GL is needed here.
+// caller's, as in tools/measure/bench/measure.h; no GL is needed here.
 #pragma once
 
-#include "tools/measure/bench/bench.h"
+#include "tools/commands/cli/config_options.h"
+#include "tools/commands/cli/output.h"
+#include "tools/measure/bench/sample.h"
 #include "tools/measure/line_file.h"
+#include "tools/render/scene/scene.h"
 
 #include <set>
 
+namespace CLI {
+class App;
+}
+
 namespace crevice {
+
+struct BenchOptions {
+    std::vector<std::string> configs = {};  ///< Empty: every shipped config.
+    std::vector<std::string> scenes = {};
+    ImportOptions import = {};  ///< Of those that are files.
+    std::vector<std::string> sizes = {"960x540"};
+    std::vector<double> radii = {};           ///< Scene units; empty: each config's own.
+    std::vector<int> samples = {};            ///< Empty: each config's own.
+    std::vector<std::string> overrides = {};  ///< For every config, as --set has them.
+    std::vector<std::string> roots = {};      ///< As LoadRequest has them.
+    std::vector<std::string> disable = {};    ///< Optimizations, as CompileOptions has them.
+    std::string camera = {};
+    std::string output = kOcclusionOutput;  ///< The timed passes are those that it needs.
+    int rays = 256;
+    bool motion = false;       ///< Measure what changes along camera paths, too.
+    std::string version = {};  ///< Of crevice; part of each key.
+};
+
+/// What several samples look at.
+struct BenchView {
+    std::shared_ptr<const Scene> scene;
+    Bounds bounds;
+    SceneCamera camera;
+    Extent extent;
+
+    Camera matrices() const;
+};
+
+/// One sample that is to be measured.
+struct BenchTask {
+    BenchSample sample;    ///< What is known beforehand, or why it cannot be measured.
+    std::size_t view = 0;  ///< Into BenchPlan::views; means nothing where there is a failure.
+    std::string
+        reference;  ///< Key of the ground truth, see tools/measure/reference/reference_cache.h.
+    Description description = {};
+};
+
+struct BenchPlan {
+    std::vector<BenchView> views;
+    /// In an order in which neighbours share scene, size and ground truth; where no configs were
+    /// named, the presets of all scenes come first.
+    std::vector<BenchTask> tasks;
+    Diagnostics diagnostics;  ///< Unusable scenes (errors), values that do not fit (warnings).
+};
+
+/// Crosses scenes, sizes, radii, configs and sample counts. What is asked for twice is one task.
+/// The tasks of a scene that cannot be loaded have its error as their failure, so that reports know
+/// of them.
+///
+/// Errors: CV4005 for a size.
+Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources);
 
 /// The results file of a bench, with the keys of what it has figures of.
 struct BenchFile {
@@ -48,5 +107,24 @@ MeasureSummary measureAll(const BenchPlan& plan, BenchFile& file, const MeasureW
 
 /// The key of a sample on a device.
 std::string keyOnDevice(const std::string& key, const std::string& device);
+
+struct RunOptions {
+    std::string time_budget;
+    std::string out;  ///< A folder.
+};
+
+/// Adds --time-budget and --out.
+void addRunOptions(CLI::App& app, RunOptions& options);
+
+/// Seconds, of "90s", "5m", "1.5h" or plain seconds; 0 where the option was not given. Errors:
+/// CV8001.
+Result<double> timeBudgetOf(const RunOptions& options);
+
+/// Measures all by `world.measure`, stops in good order on an interrupt, and says what came of it.
+MeasureSummary measureOnConsole(const BenchPlan& plan, BenchFile& file, MeasureWorld world,
+                                Progress& progress);
+
+/// kExitBadInput where a sample failed; what could not be written and interrupts come first.
+int exitCodeOf(const MeasureSummary& summary);
 
 }  // namespace crevice

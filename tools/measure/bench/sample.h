@@ -74,7 +74,7 @@ struct BenchSample {
     /// The passes that draw no geometry: for `ao`, what it adds to a host that has a G-buffer.
     TimeFigures cost;
     /// The same and the draw passes that the occlusion alone needs
-    /// (tools/show/plan/without_occlusion.h): back faces, further layers and, with forward
+    /// (tools/show/plan/costs.h): back faces, further layers and, with forward
     /// lighting, depth. Zeros in earlier versions' lines.
     TimeFigures cost_with_geometry;
     std::vector<PassTime> passes;

@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Medians, costs, valid frames and turns.
-#include "tools/measure/bench/times.h"
+// Times of frames, and what a bench makes of them.
+//
+// What is compared takes turns, so that a slow moment of the machine falls on all of it. A turn
+// lasts for a while and counts with the median of its frames, since a single frame of a cheap pass
+// says little; a ratio is the median over the ratios turn by turn, in which slow moments cancel.
+//
+// They do not cancel against a copy of a texture: that waits for memory where the effect computes,
+// and a neighbour on the machine was seen to slow one by 60 % and the other by 3 %, for many
+// seconds. So the cost of the copy is compared with that of `learnopengl` at their quickest, over
+// all turns of a view.
+//
+// Source: McGill et al. 1978 - how well a median is known.
+#include "tools/measure/bench/measure.h"
 
 #include <algorithm>
 #include <cmath>

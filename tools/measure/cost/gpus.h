@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The phones' GPUs whose compilers are asked, and what each of them says of a shader.
+// The phones' GPUs whose compilers, which tools/scripts/mobile_compilers.sh builds, are asked, and
+// what each of them says of a shader.
 #pragma once
+
+#include <crevice/plan.h>
 
 #include <map>
 #include <optional>
@@ -64,5 +67,19 @@ struct Arithmetic {
     int half = 0;  ///< Those whose result goes to a 16-bit register.
 };
 Arithmetic countArithmetic(std::string_view output);
+
+/// Where they lie: in `folder`; where that is empty, in the one that CREVICE_MOBILE_COMPILERS
+/// names, or where the script puts them. Errors: CV6021 where one of them is not there.
+Result<std::string> findCompilers(std::string folder);
+
+/// What the compiler of one GPU made of a plan's programs.
+struct CompiledPrograms {
+    std::string version;                   ///< "Mesa 22.3.6"
+    std::vector<CompilerFigures> figures;  ///< One for each program, in their order.
+};
+
+/// Errors: CV6021 where the compiler does not run to its end.
+Result<CompiledPrograms> compilePrograms(const std::string& folder, const CostGpu& gpu,
+                                         const std::vector<PlanProgram>& programs);
 
 }  // namespace crevice

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What occlusion does while the camera moves, in figures: `crevice bench --motion`.
+//
+// Each pixel's point, ray-traced, is projected into the next frame. What that frame has there is
+// interpolated between the four texels about the place, and counts only where all of them lie on
+// the point's own surface: no farther off its tangent plane than a pixel covers at the point. So
+// edges, what comes into view and what goes out of it do not count, and a crease does. The ground
+// truth is interpolated in the same way, so that what interpolation itself changes is in both.
 #pragma once
+
+#include "tools/measure/reference/tracer.h"
 
 #include <crevice/image.h>
 
@@ -8,6 +16,17 @@
 #include <string>
 
 namespace crevice {
+
+/// For each pixel of `from` its place in `to`, in texels from the centre of the first: two
+/// channels, NaN where it does not count. `camera` is the one that saw `to`.
+Image flowTo(const SurfaceMap& from, const SurfaceMap& to, const Camera& camera);
+
+/// 1 for each pixel of `now` whose point lies within the picture `before` and is hidden there; else
+/// 0. `camera` is the one that saw `before`.
+Image uncoveredSince(const SurfaceMap& before, const Camera& camera, const SurfaceMap& now);
+
+/// The change from one frame to the next at the same points, one channel; NaN where `flow` is.
+Image changeAlong(const Image& flow, const Image& from, const Image& to);
 
 /// Along one camera path; after its jump, of one that has one. A change is that of one surface
 /// point from a frame to the next, less the ground truth's change at the same place.
@@ -59,5 +78,15 @@ private:
     int count_ = 0;
     int changed_ = 0;  ///< The last frame that was another than the one before it.
 };
+
+struct MotionRow {
+    std::string name;
+    double rest = 0;  ///< The error of a still camera.
+    MotionFigures motion;
+};
+
+/// In Markdown, a row each: the error at rest, the change along each path (rms, 99th and 99.9th
+/// percentile), the error in a pan, the frames to settle, the error where surfaces were uncovered.
+std::string motionTable(const std::vector<MotionRow>& rows);
 
 }  // namespace crevice

@@ -6,7 +6,6 @@
 #include <cmath>
 
 namespace crevice {
-
 namespace {
 
 constexpr int kBins = 16;

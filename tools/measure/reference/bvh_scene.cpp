@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Walks of rays through a tree of triangles, in floats; doubles decide about what they find.
-#include "tools/measure/reference/bvh_scene.h"
+//
+// Triangles are met as Embree's robust mode meets them: the sides of a ray on which the edges lie,
+// which triangles that share an edge agree on, so that no ray slips through between them.
+//
+// Sources: Davidovic et al. 2012 - the edges; Ize 2013 - the boxes.
+#include "tools/measure/reference/ray_scene.h"
 
 #include "tools/measure/reference/bvh.h"
 #include "tools/measure/reference/trace_bodies.h"
@@ -11,7 +16,6 @@
 #include <cmath>
 
 namespace crevice {
-
 namespace {
 
 // Of a coordinate: beyond it, products of lengths overflow a float. Embree's limit.

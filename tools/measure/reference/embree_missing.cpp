@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stands in for Embree where it was not found.
-#include "tools/measure/reference/bvh_scene.h"
+#include "tools/measure/reference/ray_scene.h"
 
 namespace crevice {
 

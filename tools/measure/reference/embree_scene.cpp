@@ -7,7 +7,6 @@
 #include <algorithm>
 
 namespace crevice {
-
 namespace {
 
 // What the filter must know of the rays of one call.

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Keys of references, and their files.
-#include "tools/measure/reference/reference_cache.h"
+// Ray-traced references, kept on disk: tracing one takes seconds, reading it milliseconds.
+//
+// A file is named after a hash over everything that decides its pixels, so that it never goes
+// stale; any of them may be deleted at any time.
+#include "tools/measure/reference/tracer.h"
 
 #include "core/base/content_hash.h"
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "tools/commands/cli/config_options.h"
 #include "tools/render/image/image_file.h"
 
 #include <CLI/CLI.hpp>
@@ -122,10 +126,9 @@ std::string usualCacheFolder()
 
 void addCacheOptions(CLI::App& app, CacheOptions& options)
 {
-    auto* folder = app.add_option("--cache", options.folder,
-                                  "Where ray-traced references are kept. Default: "
-                                  "$XDG_CACHE_HOME/crevice or ~/.cache/crevice")
-                       ->type_name("FOLDER");
+    auto* folder = addText(app, "--cache", options.folder, "FOLDER",
+                           "Where ray-traced references are kept. Default: "
+                           "$XDG_CACHE_HOME/crevice or ~/.cache/crevice");
     app.add_flag("--no-cache", options.off,
                  "Trace the reference even if it is cached, and do not cache it")
         ->excludes(folder);

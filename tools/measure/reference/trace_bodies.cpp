@@ -6,7 +6,6 @@
 #include <cmath>
 
 namespace crevice {
-
 namespace {
 
 // How far before a ray's origin its search begins, and how far behind its end it ends, as a part

@@ -2,7 +2,7 @@
 // Whole pictures by rays, on all processors.
 #include "tools/measure/reference/tracer.h"
 
-#include "tools/measure/reference/progressive_trace.h"
+#include "tools/measure/reference/pixel_tracer.h"
 
 #include <glm/matrix.hpp>
 
@@ -10,7 +10,6 @@
 #include <thread>
 
 namespace crevice {
-
 namespace {
 
 // Rows are dealt out one by one; each pixel depends on nothing but itself.

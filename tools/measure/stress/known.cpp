@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Known steps: their file, and what is worse.
-#include "tools/measure/stress/known.h"
+// How each step of a config stood in an earlier run, and what is worse since: `crevice stress` as a
+// gate.
+//
+// A file of known steps has a line a config and case, for those of shipped configs in
+// docs/stress/known.jsonl: {"case":"near_far","config":"gtao","steps":{"1:1e1":0.03,
+// "0.01:1e4":["breaks",0.12]}}. A number alone is the error of a step that holds.
+#include "tools/measure/stress/run.h"
 
 #include "tools/measure/line_file.h"
 

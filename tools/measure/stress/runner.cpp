@@ -4,11 +4,9 @@
 
 #include "core/base/text.h"
 #include "tools/measure/line_file.h"
-#include "tools/measure/reference/reference_cache.h"
+#include "tools/measure/reference/tracer.h"
 #include "tools/measure/stress/figures.h"
-#include "tools/measure/stress/passes.h"
 #include "tools/measure/taps.h"
-#include "tools/render/device/float_device.h"
 #include "tools/render/device/poison_device.h"
 #include "tools/render/image/image_metrics.h"
 #include "tools/render/read_output.h"

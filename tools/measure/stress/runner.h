@@ -3,10 +3,10 @@
 // target.
 #pragma once
 
-#include "tools/measure/stress/geometry.h"
 #include "tools/measure/stress/record.h"
+#include "tools/measure/stress/scenes.h"
 #include "tools/render/host_textures.h"
-#include "tools/render/output_source.h"
+#include "tools/render/read_output.h"
 
 namespace crevice {
 

@@ -1,5 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "tools/render/device/mediump_device.h"
+// A device on which mediump has the width that is asked for, whatever the driver does. Some compute
+// it in full, some in half floats here and there, such as llvmpipe on CPUs with half-float
+// instructions.
+//
+// glslang turns each shader into SPIR-V, rewriteMediump rewrites that, SPIRV-Cross writes it as
+// GLSL again, all in highp. Mediump values are decorated RelaxedPrecision there. In half floats
+// each of them is rounded as it arises: from 65520 on to infinity, below 2^-14 to 0, which is the
+// least that every phone keeps. What a phone has no instruction for is taken apart first, so that
+// what overflows on the way does so here too: normalize() is a dot product, an inverse root and a
+// product, pow() a logarithm, a product and an exponential, a / b is a * (1 / b).
+#include "tools/render/device/open_device.h"
 
 #include "tools/render/device/forwarding_device.h"
 #include "tools/render/glsl/glslang_stage.h"

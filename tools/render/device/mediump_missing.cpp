@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stands in for what needs glslang where glslang or SPIRV-Cross was not found.
-#include "tools/render/device/mediump_device.h"
+#include "tools/render/device/open_device.h"
 #include "tools/render/glsl/glsl_check.h"
 
 namespace crevice {

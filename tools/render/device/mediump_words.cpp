@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rounding after every step, instruction by instruction.
-#include "tools/render/device/mediump_device.h"
+#include "tools/render/device/open_device.h"
 #include "tools/render/device/spirv_module.h"
 
 #include <set>

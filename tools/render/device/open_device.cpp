@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/device/open_device.h"
 
+#include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/render/device/mediump_device.h"
 
 #include <CLI/CLI.hpp>
 
@@ -38,27 +38,24 @@ Result<OpenDevice> openFirst(const GlDeviceOptions& options)
 
 void addBackendOption(CLI::App& app, std::string& backend)
 {
-    app.add_option("--backend", backend,
-                   "egl or osmesa; default: EGL, and OSMesa where there is no EGL")
-        ->type_name("BACKEND")
+    addText(app, "--backend", backend, "BACKEND",
+            "egl or osmesa; default: EGL, and OSMesa where there is no EGL")
         ->check(CLI::IsMember({"egl", "osmesa"}));
 }
 
 void addPrecisionOption(CLI::App& app, std::string& precision)
 {
-    app.add_option("--precision", precision,
-                   "Precision of mediump in shaders: full (32 bits) or half (16 bits, as on "
-                   "phones). Default: the driver's")
-        ->type_name("PRECISION")
+    addText(app, "--precision", precision, "PRECISION",
+            "Precision of mediump in shaders: full (32 bits) or half (16 bits, as on "
+            "phones). Default: the driver's")
         ->check(CLI::IsMember({"full", "half"}));
 }
 
 void addProgramCacheOption(CLI::App& app, std::string& folder)
 {
-    app.add_option("--program-cache", folder,
-                   "Folder that keeps linked programs, so that the next run compiles none of them. "
-                   "Default: none")
-        ->type_name("FOLDER");
+    addText(app, "--program-cache", folder, "FOLDER",
+            "Folder that keeps linked programs, so that the next run compiles none of them. "
+            "Default: none");
 }
 
 Result<OpenDevice> openDevice(const std::string& backend, const std::string& precision,

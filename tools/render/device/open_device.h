@@ -3,6 +3,7 @@
 #pragma once
 
 #include <crevice/context.h>
+#include <crevice/device.h>
 
 #include "tools/render/device/program_folder.h"
 
@@ -11,6 +12,24 @@ class App;
 }
 
 namespace crevice {
+
+enum class Mediump {
+    full,  ///< Computed in 32 bits, as on a desktop.
+    /// Rounded to half floats and 16-bit integers after each step, as on a phone at its worst.
+    half,
+};
+
+/// Draws on `device` with every shader rewritten; its name says so. Its createProgram fails with
+/// CV5001 where glslang does not understand a shader. Errors: CV6012 where crevice was built
+/// without glslang and SPIRV-Cross.
+Result<std::unique_ptr<Device>> makeMediumpDevice(std::unique_ptr<Device> device, Mediump mediump);
+
+/// The module `words`, all else as it was; none of its values is mediump any more. Of locations and
+/// bindings only those of vertex inputs and fragment outputs stay: everything else goes by name.
+std::vector<std::uint32_t> rewriteMediump(const std::vector<std::uint32_t>& words, Mediump mediump);
+
+/// Whether this build can make one.
+bool canRewriteMediump();
 
 /// The device goes before the context it lives in, and before who keeps its programs.
 struct OpenDevice {

@@ -10,7 +10,6 @@
 namespace fs = std::filesystem;
 
 namespace crevice {
-
 namespace {
 
 // A driver's largest have a few hundred thousand.

@@ -28,7 +28,6 @@
 #include <cstring>
 
 namespace crevice {
-
 namespace {
 
 Diagnostic cannotWrite(const std::string& path, const std::string& reason)

@@ -6,7 +6,6 @@
 #include <limits>
 
 namespace crevice {
-
 namespace {
 
 constexpr double kLeastPower = 0.1;

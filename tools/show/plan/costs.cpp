@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "tools/show/plan/costs.h"
 
-#include "tools/show/plan/names.h"
+#include "tools/show/plan/print.h"
 
 namespace crevice {
-
 namespace {
 
 // Bytes assumed of a texel that the plan does not know: noise, materials, imports.
@@ -40,6 +38,8 @@ double sharedBytes(const Plan& plan)
     }
     return own - plan.texture_bytes;
 }
+
+constexpr const char* kIntensity = "intensity";
 
 }  // namespace
 
@@ -109,6 +109,26 @@ std::vector<Elided> allElided(const Plan& plan)
         "frustum_culling", "per frame, those whose bounds are outside the view");
     if (!plan.reruns) add("", "passes", "cached", "per frame, those whose inputs have not changed");
     return elided;
+}
+
+Description withoutOcclusion(Description description)
+{
+    for (ParamDesc& param : description.params)
+        if (param.name == kIntensity) param.value.fill(0);
+    return description;
+}
+
+Result<std::vector<bool>> ownGeometry(const Plan& plan, const Description& description,
+                                      const SceneTraits& traits, const DeviceCaps& caps,
+                                      CompileOptions options)
+{
+    options.outputs.clear();
+    const Result<Plan> without = compile(withoutOcclusion(description), traits, caps, options);
+    if (!without) return without.diagnostics();
+    std::vector<bool> own;
+    for (const PlanPass& pass : plan.passes)
+        own.push_back(pass.type == PassType::draw && !findNamed(without->passes, pass.name));
+    return own;
 }
 
 }  // namespace crevice

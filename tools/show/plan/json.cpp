@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Plans as JSON for programs: the same facts as the text, and the keys of the programs.
-#include "tools/show/plan/costs.h"
-#include "tools/show/plan/names.h"
 #include "tools/show/plan/print.h"
 
 #include "core/base/text.h"
@@ -12,7 +10,6 @@
 #include <cmath>
 
 namespace crevice {
-
 namespace {
 
 using Json = nlohmann::ordered_json;

@@ -2,6 +2,7 @@
 // Plans as text, JSON and Graphviz: what `crevice explain` prints.
 #pragma once
 
+#include <crevice/compile.h>
 #include <crevice/plan.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,5 +18,54 @@ std::string jsonLines(const nlohmann::ordered_json& json, const std::string& ind
 
 /// A drawing for Graphviz: passes are boxes, textures are ellipses, edges follow the data.
 std::string toDot(const Plan& plan);
+
+/// The words in which plans are printed.
+const char* nameOf(LoadOp load);
+const char* nameOf(StoreOp store);
+const char* nameOf(InputKind kind);
+const char* nameOf(UniformSource source);
+
+/// What a sampler reads: a target's, generated value's or import's name, "material" or a number.
+std::string sourceName(const Plan& plan, const PlanInput& input);
+
+/// "256x144".
+std::string sizeText(const Extent& extent);
+
+/// "288.0 KiB".
+std::string bytesText(double bytes);
+
+/// ", 4 samples"; nothing for one.
+std::string samplesText(int samples);
+
+/// The texture behind a target of the plan.
+const PlanTexture& textureOf(const Plan& plan, int target);
+
+/// Of all views in one frame, with one texel of each input a pixel.
+struct MovedBytes {
+    double read = 0;
+    double loaded = 0;   ///< Of `read`: what tiled GPUs load before they draw, the pass's mask.
+    double written = 0;  ///< What they store when a tile is drawn.
+};
+
+MovedBytes movedBytes(const Plan& plan, const PlanPass& pass);
+MovedBytes movedBytes(const Plan& plan);
+
+/// GL textures that the plan has, with the second copies that history needs.
+std::size_t textureCount(const Plan& plan);
+
+/// What the plan says, the textures that targets share, and what each frame may leave out.
+std::vector<Elided> allElided(const Plan& plan);
+
+/// The config with its param `intensity` at 0; as it is where it has none.
+Description withoutOcclusion(Description description);
+
+/// For each pass of the plan: whether it draws geometry for the occlusion alone, such as back faces
+/// or, with forward lighting, depth ahead of the light. Those are its draw passes that a plan for
+/// all outputs of the config lacks without occlusion. Extent and `disable` come from `options`.
+///
+/// Errors: those of `compile`.
+Result<std::vector<bool>> ownGeometry(const Plan& plan, const Description& description,
+                                      const SceneTraits& traits, const DeviceCaps& caps,
+                                      CompileOptions options);
 
 }  // namespace crevice

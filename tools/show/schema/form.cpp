@@ -2,7 +2,7 @@
 // The visitor of core/config/fields.h that describes: each `formOf` turns a member, in one of the
 // JSON forms of core/config/field_types.h, into the JSON Schema of what it may be written as, with
 // the member's initial value as the default.
-#include "tools/show/schema/form.h"
+#include "tools/show/schema/schema.h"
 
 #include "core/config/fields.h"
 

@@ -2,8 +2,6 @@
 // The forms of the table as Markdown: a section for each kind of object, a row for each key.
 #include "tools/show/schema/schema.h"
 
-#include "tools/show/schema/form.h"
-
 #include "core/base/text.h"
 
 namespace crevice {

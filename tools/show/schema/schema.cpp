@@ -3,8 +3,6 @@
 // `variants`, nulls that delete, and names that an editor may offer.
 #include "tools/show/schema/schema.h"
 
-#include "tools/show/schema/form.h"
-
 #include <crevice/document.h>
 
 #include "core/base/text.h"

@@ -5,6 +5,10 @@
 
 #include <crevice/source.h>
 
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
 namespace crevice {
 
 /// A JSON Schema, draft 7, of a config or module as it is written. A file may hold but a part of
@@ -16,5 +20,26 @@ std::string schemaJson(const SourceSet& sources);
 
 /// Tables in Markdown: for each kind of object its keys, types, defaults, ranges and meaning.
 std::string schemaMarkdown();
+
+/// Pieces of schemas, private to tools/show/schema. A form is draft-07 but for "x-required", which
+/// marks a key that must be there once all files are merged. No form allows null yet: a patch's
+/// nulls come last.
+namespace table {
+
+using Json = nlohmann::ordered_json;
+
+/// Of a whole config, by the table in core/config/fields.h.
+Json configForm();
+
+/// An object of these properties, of "x-" keys and nothing else.
+Json objectForm(Json properties);
+
+/// An object whose keys match the pattern, or begin with "x-".
+Json keyedForm(const char* pattern, Json entry);
+
+/// One of several forms, with the default of the first that has one.
+Json anyForm(std::vector<Json> forms);
+
+}  // namespace table
 
 }  // namespace crevice

@@ -4,14 +4,20 @@
 
 #include "core/base/text.h"
 
+#include <fcntl.h>
 #include <httplib.h>
-
+#include <spawn.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <thread>
+
+extern char** environ;
 
 namespace crevice {
 namespace {
@@ -54,6 +60,44 @@ void readBody(const httplib::ContentReader& read, SiteRequest& request)
 }
 
 }  // namespace
+
+namespace {
+constexpr std::size_t kKept = 64;  // one holds a file, of 1 MiB at most
+}
+
+void Events::push(const std::string& name, const std::string& data)
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    kept_.push_back("event: " + name + "\ndata: " + data + "\n\n");
+    if (kept_.size() > kKept) kept_.pop_front();
+    ++count_;
+    came_.notify_all();
+}
+
+void Events::close()
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    closed_ = true;
+    came_.notify_all();
+}
+
+std::uint64_t Events::count() const
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return count_;
+}
+
+std::optional<std::string> Events::next(std::uint64_t& seen, std::chrono::milliseconds wait)
+{
+    std::unique_lock<std::mutex> lock(mutex_);
+    came_.wait_for(lock, wait, [&] { return closed_ || count_ > seen; });
+    if (closed_) return std::nullopt;
+    if (count_ <= seen) return "";
+    seen = std::max(seen, count_ - kept_.size());
+    const std::size_t index = kept_.size() - static_cast<std::size_t>(count_ - seen);
+    ++seen;
+    return kept_[index];
+}
 
 struct Server::Impl {
     void fill(httplib::Response& response, const SiteAnswer& answer);
@@ -162,6 +206,34 @@ void Server::stop()
     impl_->events->close();
     impl_->http.stop();
     impl_->thread.join();
+}
+
+bool openBrowser(const std::string& address)
+{
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        posix_spawn_file_actions_addopen(&files, file, "/dev/null", O_RDWR, 0);
+
+    // In a session of its own, so that an interrupt from the terminal does not end the browser.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t defaults;
+    sigemptyset(&defaults);
+    sigaddset(&defaults, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes, &defaults);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGDEF);
+
+    std::string program = "xdg-open", argument = address;
+    char* arguments[] = {program.data(), argument.data(), nullptr};
+    pid_t child = 0;
+    const int failure =
+        posix_spawnp(&child, program.c_str(), &files, &attributes, arguments, environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    if (failure != 0) return false;
+    std::thread([child] { waitpid(child, nullptr, 0); }).detach();  // so it stays no zombie
+    return true;
 }
 
 }  // namespace crevice

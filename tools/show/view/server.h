@@ -1,11 +1,42 @@
 // SPDX-License-Identifier: MIT
-// HTTP on the loopback address, and on no other.
+// HTTP on the loopback address, and on no other; what is told to all open pages; the browser.
 #pragma once
 
-#include "tools/show/view/events.h"
 #include "tools/show/view/site.h"
 
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+
 namespace crevice {
+
+/// Events in the order in which they came, as Server-Sent Events write them. From any thread.
+class Events {
+public:
+    /// `data` is one line.
+    void push(const std::string& name, const std::string& data);
+
+    /// Ends all waits, for good.
+    void close();
+
+    /// How many there were so far.
+    std::uint64_t count() const;
+
+    /// The next one after the first `seen`, which is then counted; "" where none came in that time.
+    /// Nothing once they are closed. Who is more than 64 behind misses the oldest.
+    std::optional<std::string> next(std::uint64_t& seen, std::chrono::milliseconds wait);
+
+private:
+    mutable std::mutex mutex_;
+    std::condition_variable came_;
+    std::deque<std::string> kept_;  // the last ones
+    std::uint64_t count_ = 0;
+    bool closed_ = false;
+};
 
 class Server {
 public:
@@ -27,5 +58,9 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// Has xdg-open show the address, without a shell and without waiting. False where there is no such
+/// program.
+bool openBrowser(const std::string& address);
 
 }  // namespace crevice

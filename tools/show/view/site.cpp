@@ -5,9 +5,10 @@
 #include "core/base/text.h"
 #include "tools/measure/line_file.h"
 
+#include <sys/random.h>
 #include <nlohmann/json.hpp>
 
-#include <sys/random.h>
+#include <filesystem>
 
 namespace crevice {
 
@@ -28,6 +29,16 @@ const std::vector<std::pair<std::string, std::string>> kSiteHeaders = {
 };
 
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFiles = 1000;  // of a folder that is no page, such as one's home
+
+bool isPage(const fs::path& folder)
+{
+    std::error_code error;
+    return fs::is_regular_file(folder / "index.html", error);
+}
 
 constexpr const char* kJson = "application/json";
 constexpr std::size_t kMostPageBytes = 64u << 20;  // of one file
@@ -75,6 +86,41 @@ std::string unquoted(const std::string& version)
 }
 
 }  // namespace
+
+Result<PageFiles> listPage(const std::string& folder)
+{
+    if (folder.empty() || !isPage(folder))
+        return Diagnostic{Code::page_missing,
+                          folder.empty() ? "the page is not built"
+                                         : "the folder '" + folder + "' has no index.html",
+                          "build the page with tools/page.sh, or name its folder with --page"};
+    PageFiles files;
+    std::error_code error;
+    fs::recursive_directory_iterator entries(folder, error);
+    for (const fs::recursive_directory_iterator end; !error && entries != end;
+         entries.increment(error)) {
+        const fs::path& path = entries->path();
+        std::error_code unreadable;
+        if (startsWith(path.filename().string(), ".")) {
+            entries.disable_recursion_pending();
+            continue;
+        }
+        if (!entries->is_regular_file(unreadable) || !isBelow(path.string(), {folder})) continue;
+        files[path.lexically_relative(folder).generic_string()] = path.string();
+        if (files.size() == kMostFiles) break;
+    }
+    files["index.html"] = (fs::path(folder) / "index.html").string();
+    return files;
+}
+
+std::string builtPageFolder()
+{
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path installed = program.parent_path().parent_path() / "share/crevice/page";
+    if (!error && isPage(installed)) return installed.string();
+    return isPage(CREVICE_PAGE_FOLDER) ? CREVICE_PAGE_FOLDER : "";
+}
 
 Result<std::string> randomToken()
 {

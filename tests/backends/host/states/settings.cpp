@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/backends/host/states/settings.h"
+#include "tests/backends/host/states/random_host.h"
 
 namespace crevice {
 

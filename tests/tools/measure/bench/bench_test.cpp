@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Benches without GL: their samples, keys and figures, failures and what comes first.
-#include "tools/measure/bench/bench.h"
 
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/bench/fixture.h"
+#include "tools/measure/bench/choice.h"
+#include "tools/measure/bench/measure.h"
 #include "tools/measure/bench/run.h"
-#include "tools/measure/bench/times.h"
-#include "tools/measure/bench/views.h"
 #include "tools/render/view_diagnosis.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // References on disk: their keys, and what happens to broken files.
-#include "tools/measure/reference/reference_cache.h"
+#include "tools/measure/reference/tracer.h"
 
 #include "core/base/files.h"
 

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Plans as text, JSON and Graphviz.
+// What `crevice validate` calls ok plans in every scene and under every camera.
+// Which geometry is drawn for the occlusion alone.
 #include "tests/support/plan_rig.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/show/plan/planning.h"
+#include "tools/show/plan/print.h"
 
 using namespace crevice;
 
@@ -29,6 +37,42 @@ Description everything()
            "generated": {"noise": {"generator": "rotation_noise", "count": 4}})"};
     return describe(sketch);
 }
+
+// A config with one more pass, which runs where the trait has that value and reads what nobody
+// supplies.
+ConfigOptions brokenWhere(const TemporaryFolder& folder, const std::string& condition)
+{
+    folder.write("broken.frag",
+                 "#version 300 es\nprecision highp float;\nuniform float nowhere;\n"
+                 "layout(location = 0) out float extra;\n"
+                 "void main() { extra = nowhere; }\n");
+    ConfigOptions options;
+    options.config = folder.write("broken.json", R"({"format": 1, "extends": ["learnopengl"],
+        "targets": {"extra": {"format": ["r8"]}},
+        "shaders": {"extra": {"vertex": "common/fullscreen.vert", "fragment": "./broken.frag"}},
+        "passes": {"extra": {"type": "fullscreen", "shader": "extra", "color": ["extra"],
+                             "when": {)" + condition +
+                                                     R"(}, "bypass": {"extra": "ao"}}},
+        "outputs": {"extra": "extra"}})");
+    return options;
+}
+
+/// The names of the passes that draw geometry for the output `ao` alone.
+std::vector<std::string> ownPasses(const ConfigOptions& request, const std::string& output = "ao")
+{
+    const Description description = need(loadDescription(request, shippedSources()));
+    const CompileOptions options{{960, 540}, {output}};
+    const Plan plan = need(compile(description, usualTraits(), usualCaps(), options));
+    const std::vector<bool> own =
+        need(ownGeometry(plan, description, usualTraits(), usualCaps(), options));
+    REQUIRE(own.size() == plan.passes.size());
+    std::vector<std::string> names;
+    for (std::size_t pass = 0; pass < own.size(); ++pass)
+        if (own[pass]) names.push_back(plan.passes[pass].name);
+    return names;
+}
+
+using Names = std::vector<std::string>;
 
 }  // namespace
 
@@ -142,4 +186,35 @@ TEST_CASE("A name with quotes and backslashes stays inside its quotes")
     plan.config = "my \"best\\ plan";
     CHECK(toDot(plan).find(R"(digraph "my \"best\\ plan" {)") == 0);
     CHECK(toJson(plan).find(R"("config": "my \"best\\ plan")") != std::string::npos);
+}
+
+TEST_CASE("A pass that fails in some scene or under some camera fails to validate")
+{
+    const TemporaryFolder folder("planning");
+    for (const char* condition :
+         {R"("scene.lights": false)", R"("scene.lights": true)", R"("scene.alpha_tested": false)",
+          R"("scene.specular": false)", R"("scene.textured": false)",
+          R"("camera.orthographic": true)", R"("camera.reversed_depth": true)",
+          R"("camera.turned": true)", R"("camera.views": 2)", R"("scene.normal_mapped": true)",
+          R"("scene.baked_occlusion": true)", R"("scene.material_ambient": true)",
+          R"("scene.baked_occlusion": true, "scene.normal_mapped": true)"}) {
+        INFO(condition);
+        GlslCheck shaders;
+        const Result<Plan> plan =
+            planForEveryScene(loadDescription(brokenWhere(folder, condition), shippedSources()), "",
+                              kUsualExtent, shaders);
+        CHECK_FALSE(plan.ok());
+        REQUIRE(plan.diagnostics().size() == 1);
+        CHECK(plan.diagnostics()[0].code == Code::uniform_unbound);
+    }
+}
+
+TEST_CASE("Geometry is the occlusion's own where the lit picture does without it")
+{
+    CHECK(ownPasses({"gtao", "", {}, ""}).empty());  // deferred light needs the G-buffer itself
+    CHECK(ownPasses({"high", "", {}, ""}) == Names{"back_faces", "second_layer", "second_back"});
+    CHECK(ownPasses({"mobile", "", {}, ""}) == Names{"geometry"});  // forward light: no depth first
+    CHECK(ownPasses({"mobile", "", {}, ""}, "color") == Names{"geometry"});
+    CHECK(ownPasses({"balanced+geometry/host_depth", "", {}, ""}).empty());
+    CHECK(ownPasses({"high", "", {"intensity=0"}, ""}, "color").empty());
 }

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: MIT
 // The files of a config: which they are, what is saved, and what is told of them.
+// Events between threads: all of them, in order, to each who waits.
+// Files on disk as sources of the page: names between them lead to the same files.
 #include "tools/show/view/user_files.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
+#include "tools/show/view/server.h"
 
 #include <algorithm>
 
 using namespace crevice;
 
 namespace {
+
+MemorySources shippedMobile()
+{
+    MemorySources shipped;
+    shipped.add("configs/mobile.json", "{}");
+    return shipped;
+}
 
 const char* const kMine =
     R"({"format": 1, "name": "mine", "extends": ["learnopengl", "./more/radius.json"]})";
@@ -49,6 +59,35 @@ std::string versionOf(UserFiles& files, const std::string& path)
 using Paths = std::vector<std::string>;
 
 }  // namespace
+
+TEST_CASE("a config and what lies beside and below it are sources of the same layout")
+{
+    const TemporaryFolder folder("source_paths");
+    const std::string at = folder.path.string();
+    const MemorySources shipped = shippedMobile();
+    const SourcePaths paths(at + "/mine.json", {}, shipped);
+    CHECK(paths.configName() == "mine");
+    CHECK(paths.of(at + "/mine.json") == "configs/mine.json");
+    CHECK(paths.of(at + "/./glsl/../glsl/x.frag") == "configs/glsl/x.frag");
+    CHECK(paths.of(at + "/../x.frag").empty());
+    CHECK(paths.of("/etc/passwd").empty());
+    CHECK(paths.of(at).empty());
+    CHECK(resolvePath("configs/mine.json", "./glsl/x.frag") == paths.of(at + "/glsl/x.frag"));
+}
+
+TEST_CASE("what lies above a config is a source where a root allows it")
+{
+    const TemporaryFolder folder("source_paths");
+    const std::string at = folder.path.string();
+    const MemorySources shipped = shippedMobile();
+    const SourcePaths paths(at + "/looks/mine.json", {at + "/shared/."}, shipped);
+    CHECK(paths.configName() == "looks/mine");
+    CHECK(paths.of(at + "/looks/mine.json") == "configs/looks/mine.json");
+    CHECK(paths.of(at + "/looks/../shared/x.frag") == "configs/shared/x.frag");
+    CHECK(resolvePath("configs/looks/mine.json", "../shared/x.frag") ==
+          paths.of(at + "/shared/x.frag"));
+    CHECK(SourcePaths(at + "/mine.json", {at + "/"}, shipped).configName() == "mine");
+}
 
 TEST_CASE("a page gets the files on disk that a config is made of, and no others")
 {
@@ -146,4 +185,31 @@ TEST_CASE("a config below its root, and one that is named like a shipped one, lo
     UserFiles same({alone, "", {}, ""}, shippedSources());
     CHECK(same.check().empty());
     CHECK(same.configName() == "mine/mobile");
+}
+
+namespace {
+constexpr std::chrono::milliseconds kNow(0);
+}
+
+TEST_CASE("who waits for events gets those that come, in order")
+{
+    Events events;
+    events.push("file", "before");
+    std::uint64_t seen = events.count(), all = 0;
+    CHECK(events.next(seen, kNow) == "");
+    events.push("file", "{1}");
+    events.push("file", "{2}");
+    CHECK(events.next(seen, kNow) == "event: file\ndata: {1}\n\n");
+    CHECK(events.next(seen, kNow) == "event: file\ndata: {2}\n\n");
+    CHECK(events.next(seen, kNow) == "");
+    CHECK(events.next(all, kNow) == "event: file\ndata: before\n\n");
+}
+
+TEST_CASE("who is far behind goes on with the oldest event that is kept")
+{
+    Events events;
+    std::uint64_t seen = 0;
+    for (int k = 0; k < 100; ++k) events.push("n", std::to_string(k));
+    CHECK(events.next(seen, kNow) == "event: n\ndata: 36\n\n");
+    CHECK(seen == 37);
 }

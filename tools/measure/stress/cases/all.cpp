@@ -4,7 +4,7 @@
 #include "tools/measure/stress/cases/all.h"
 
 #include "core/base/text.h"
-#include "tools/show/plan/names.h"
+#include "tools/show/plan/print.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // Stress cases over other geometry: stored positions, linear depth, and a host's depth and normals
 // with invalid values in them.
 #include "tools/measure/stress/cases/all.h"
-#include "tools/measure/stress/geometry.h"
+#include "tools/measure/stress/scenes.h"
 
 #include <limits>
 

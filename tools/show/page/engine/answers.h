@@ -3,6 +3,7 @@
 #pragma once
 
 #include <crevice/diagnostic.h>
+#include <crevice/source.h>
 
 #include <emscripten.h>
 #include <nlohmann/json.hpp>
@@ -26,5 +27,9 @@ Json answer(const T& result)
 {
     return answer(result.diagnostics());
 }
+
+/// The texts of the page as they are in force: shipped modules and configs, and over them what the
+/// user edited.
+const SourceSet& sources();
 
 }  // namespace crevice::page

@@ -5,10 +5,8 @@
 //
 // What is returned is good until the next call. An answer has "ok" and "diagnostics".
 #include "tools/show/page/engine/answers.h"
-#include "tools/show/page/engine/display.h"
 #include "tools/show/page/engine/slot.h"
 #include "tools/show/page/engine/stage.h"
-#include "tools/show/page/engine/texts.h"
 
 #include <crevice/gl_device.h>
 
@@ -23,7 +21,6 @@
 #include <cmath>
 
 namespace crevice::page {
-
 namespace {
 
 constexpr double kHeatRange = 0.25;  // of visibility: an error of that is full colour

@@ -8,7 +8,7 @@
 #include "core/config/field_types.h"
 #include "core/json/merge.h"
 #include "tools/commands/cli/patch_text.h"
-#include "tools/show/plan/without_occlusion.h"
+#include "tools/show/plan/print.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <crevice/renderer.h>
 
-#include "tools/render/output_source.h"
+#include "tools/render/read_output.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ray tracing in a worker of the page: a scene and a camera in, rows of visibility out.
-#include "tools/measure/reference/bvh_scene.h"
-#include "tools/measure/reference/progressive_trace.h"
+#include "tools/measure/reference/pixel_tracer.h"
+#include "tools/measure/reference/ray_scene.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene/scene_bytes.h"
 #include "tools/show/page/engine/answers.h"
