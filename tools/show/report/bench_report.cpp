@@ -134,55 +134,22 @@ std::string quoted(const json& value)
     return safe + '"';
 }
 
-/// The columns of the CSV: what they are called, and JSON pointers into a sample; what it does not
-/// have stays empty. The config comes first and free of commas, so that awk can distinguish the
-/// rows.
-constexpr const char* kColumns[][2] = {
-    {"config", "/config"},
-    {"overrides", "/overrides"},
-    {"family", "/family"},
-    {"samples", "/samples"},
-    {"scene", "/scene"},
-    {"camera", "/camera"},
-    {"width", "/extent/width"},
-    {"height", "/extent/height"},
-    {"radius", "/radius"},
-    {"rays", "/rays"},
-    {"radius_px", "/radius_px"},
-    {"triangles", "/triangles"},
-    {"rmse", "/error/rmse"},
-    {"bias", "/error/bias"},
-    {"p99", "/error/p99"},
-    {"pattern", "/error/pattern"},
-    {"rmse_fit", "/error/rmse_fit"},
-    {"power_fit", "/error/power_fit"},
-    {"rmse_without_ao", "/error_without_ao"},
-    {"still_rms", "/motion/paths/still/rms"},
-    {"sub_pixel_rms", "/motion/paths/sub-pixel/rms"},
-    {"pan_rms", "/motion/paths/pan/rms"},
-    {"strafe_rms", "/motion/paths/strafe/rms"},
-    {"disocclusion_rms", "/motion/paths/disocclusion/rms"},
-    {"pan_rmse", "/motion/paths/pan/rmse"},
-    {"settled_after", "/motion/settled_after"},
-    {"clock", "/clock"},
-    {"repeats", "/repeats"},
-    {"cost_ms", "/cost/median"},
-    {"cost_ms_q1", "/cost/q1"},
-    {"cost_ms_q3", "/cost/q3"},
-    {"cost_with_geometry_ms", "/cost_with_geometry/median"},
-    {"total_ms", "/total/median"},
-    {"passes_ms", "/passes"},
-    {"ratio_copy", "/ratio_copy"},
-    {"ratio_learnopengl", "/ratio_learnopengl"},
-    {"ratio_with_geometry", "/ratio_with_geometry"},
-    {"texture_bytes", "/texture_bytes"},
-    {"bytes_read", "/bytes_read"},
-    {"bytes_written", "/bytes_written"},
-    {"failure", "/failure"},
-    {"device", "/device"},
-    {"version", "/version"},
-    {"key", "/key"},
-};
+/// The columns of the CSV: what they are called and, where that differs, the JSON pointer into a
+/// sample without its first slash; what a sample does not have stays empty. The config comes first
+/// and free of commas, so that awk can distinguish the rows.
+constexpr std::string_view kColumns =
+    "config overrides family samples scene camera width=extent/width "
+    "height=extent/height radius rays radius_px triangles rmse=error/rmse "
+    "bias=error/bias p99=error/p99 pattern=error/pattern rmse_fit=error/rmse_fit "
+    "power_fit=error/power_fit rmse_without_ao=error_without_ao "
+    "still_rms=motion/paths/still/rms sub_pixel_rms=motion/paths/sub-pixel/rms "
+    "pan_rms=motion/paths/pan/rms strafe_rms=motion/paths/strafe/rms "
+    "disocclusion_rms=motion/paths/disocclusion/rms pan_rmse=motion/paths/pan/rmse "
+    "settled_after=motion/settled_after clock repeats cost_ms=cost/median "
+    "cost_ms_q1=cost/q1 cost_ms_q3=cost/q3 "
+    "cost_with_geometry_ms=cost_with_geometry/median total_ms=total/median "
+    "passes_ms=passes ratio_copy ratio_learnopengl ratio_with_geometry texture_bytes "
+    "bytes_read bytes_written failure device version key";
 
 /// Lists become words: "samples=16 bias=0.1", "geometry=1.2 ao=3.4".
 json flat(const json& value)
@@ -232,19 +199,21 @@ json reportModel(const std::vector<BenchSample>& samples)
 
 std::string reportCsv(const std::vector<BenchSample>& samples)
 {
-    std::string csv;
-    for (const auto& [name, pointer] : kColumns)
-        csv += (csv.empty() ? "" : ",") + std::string(name);
-    csv += "\r\n";
+    std::vector<std::string> names;
+    std::vector<json::json_pointer> places;
+    for (const std::string_view column : split(kColumns, ' ')) {
+        const std::string_view name = column.substr(0, column.find('='));
+        const bool same = name.size() == column.size();
+        names.emplace_back(name);
+        places.emplace_back("/" + std::string(same ? name : column.substr(name.size() + 1)));
+    }
+    std::string csv = joined(names, ",") + "\r\n";
     for (const BenchSample& sample : samples) {
         const json row = json::parse(toJsonLine(sample));
-        std::string line;
-        for (const auto& [name, pointer] : kColumns) {
-            const json::json_pointer place(pointer);
-            line += (row.contains(place) ? quoted(flat(row[place])) : "") + ",";
-        }
-        line.pop_back();
-        csv += line + "\r\n";
+        std::vector<std::string> cells;
+        for (const json::json_pointer& place : places)
+            cells.push_back(row.contains(place) ? quoted(flat(row[place])) : "");
+        csv += joined(cells, ",") + "\r\n";
     }
     return csv;
 }
