@@ -2,13 +2,12 @@
 // The page: opens the engine, draws the first picture, and only then loads the editor.
 import {$, add} from "./dom.js";
 import {App} from "./app.js";
-import {makeCosts} from "./cost_panel.js";
+import {makeCosts, makePlan} from "./cost_panel.js";
 import {openEngine} from "./engine/engine.js";
 import {readLink} from "./link.js";
 import {Panel} from "./panel.js";
 import {makePatch} from "./text/patch_panel.js";
 import {PictureInput} from "./picture_input.js";
-import {makePlan} from "./plan_panel.js";
 import {makeScenePanel} from "./scene_panel.js";
 import {makeSplit} from "./split.js";
 import {makeMessage, makeTabs} from "./tabs.js";
