@@ -210,10 +210,9 @@ TEST_CASE("Every sampler of a shipped shader has a precision, and no literal is 
 TEST_CASE("What reads depth or 32-bit floats in a shipped config has a highp sampler for it")
 {
     for (const Subject& subject : subjects()) {
-        ConfigOptions options;
-        options.config = subject.config;
-        options.variant = subject.variant;
-        const Plan plan = need(planWithoutDevice(options, shippedSources()));
+        const Description description =
+            need(loadDescription({subject.config, subject.variant, {}, {}}, shippedSources()));
+        const Plan plan = need(compile(description, usualTraits(), usualCaps(), {kUsualExtent}));
         for (const PlanPass& pass : plan.passes)
             for (const PlanInput& input : pass.inputs) {
                 if (input.name.empty() || !isWide(plan, input)) continue;

@@ -82,9 +82,8 @@ struct Bench {
 
 Plan planned(const std::string& name)
 {
-    ConfigOptions options;
-    options.config = name;
-    return need(planWithoutDevice(options, shippedSources()));
+    const Description description = need(loadDescription({name, {}, {}, {}}, shippedSources()));
+    return need(compile(description, usualTraits(), usualCaps(), {kUsualExtent}));
 }
 
 std::string inOneLine(const std::string& name)

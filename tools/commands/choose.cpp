@@ -134,14 +134,13 @@ void printAnswerJson(const Answer& answer)
             json.push_back(toJson(answer.candidates.list[others[i]], answer.samples));
         return json;
     };
-    const nlohmann::json json = {{"limit", limitText(answer.limit)},
-                                 {"device", answer.candidates.device},
-                                 {"best", toJson(answer.best(), answer.samples)},
-                                 {"also_within", list(answer.choice.within, 1)},
-                                 {"beyond", list(answer.choice.beyond, 0)},
-                                 {"elided", answer.candidates.elided},
-                                 {"harmful", answer.candidates.harmful}};
-    printAsJson(json);
+    printAsJson({{"limit", limitText(answer.limit)},
+                 {"device", answer.candidates.device},
+                 {"best", toJson(answer.best(), answer.samples)},
+                 {"also_within", list(answer.choice.within, 1)},
+                 {"beyond", list(answer.choice.beyond, 0)},
+                 {"elided", answer.candidates.elided},
+                 {"harmful", answer.candidates.harmful}});
 }
 
 int chooseConfig(const ChooseOptions& options)

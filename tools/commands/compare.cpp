@@ -113,7 +113,7 @@ void printFigures(const ImageDifference& figures, double threshold,
 void printFiguresJson(const ImageDifference& figures, double threshold,
                       const std::vector<std::string>& broken)
 {
-    const nlohmann::json json = {
+    printAsJson({
         {"rmse", figures.rmse},
         {"bias", figures.bias},
         {"p99", figures.p99},
@@ -128,8 +128,7 @@ void printFiguresJson(const ImageDifference& figures, double threshold,
         {"masked", figures.masked},
         {"non_finite", figures.non_finite},
         {"broken_limits", broken},
-    };
-    printAsJson(json);
+    });
 }
 
 /// Figures over no pixel would look like a perfect match.

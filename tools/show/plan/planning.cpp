@@ -133,11 +133,4 @@ Result<Plan> planForEveryScene(const Result<Description>& description, const std
     return {std::move(*plan), std::move(warnings)};
 }
 
-Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources)
-{
-    const Result<Description> description = loadDescription(options, sources);
-    if (!description) return description.diagnostics();
-    return planFor(*description, usualTraits(), kUsualExtent);
-}
-
 }  // namespace crevice

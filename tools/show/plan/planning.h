@@ -15,14 +15,10 @@ SceneTraits usualTraits();
 
 constexpr Extent kUsualExtent = {960, 540};
 
-/// Loads a config and plans it at kUsualExtent on `usualCaps` for `usualTraits`.
-/// Errors: those of loadDescription and compile; warnings come with the plan.
-Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources);
-
-/// The same plan of a config under a variant, once it plans for every other scene and camera too:
-/// with each trait changed from `usualTraits`, and with all that a scene can have. Errors: also
-/// those of the other plans, and of `shaders` on all of them, each with a note that says where it
-/// was found. Its bytes are those of the largest of the plans.
+/// The plan of a config under a variant on `usualCaps` for `usualTraits`, once it plans for every
+/// other scene and camera too: with each trait changed, and with all that a scene can have. Errors:
+/// those of compile for all of the plans, and of `shaders` on them, each with a note that says
+/// where it was found. Its bytes are those of the largest of the plans.
 Result<Plan> planForEveryScene(const Result<Description>& description, const std::string& variant,
                                Extent extent, GlslCheck& shaders);
 

@@ -60,9 +60,8 @@ std::size_t worse(Change&& change)
 
 std::vector<PassRole> rolesOf(const char* config)
 {
-    ConfigOptions options;
-    options.config = config;
-    return passRoles(need(planWithoutDevice(options, CheckoutSources(""))));
+    const Description description = need(loadDescription({config, {}, {}, {}}, shippedSources()));
+    return passRoles(need(compile(description, usualTraits(), usualCaps(), {kUsualExtent})));
 }
 
 /// The counted text of a shader with this body of main.
