@@ -7,7 +7,6 @@
 #include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
-#include "tools/show/plan/explain_value.h"
 #include "tools/show/plan/planning.h"
 #include "tools/show/plan/print.h"
 

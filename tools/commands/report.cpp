@@ -4,7 +4,7 @@
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
-#include "tools/measure/bench/compare.h"
+#include "tools/measure/bench/choice.h"
 #include "tools/render/image/image_file.h"
 #include "tools/show/report/bench_report.h"
 

@@ -2,14 +2,11 @@
 // Features whose words set params and other features: levels of quality.
 // "radius": 0.8 for {"radius": {"default": 0.8}}: what it sets, where errors point, and when it may
 // not stand.
-#include "core/config/values.h"
 #include "tests/core/config/decode_fixture.h"
 #include "tests/core/config/load_fixture.h"
 #include "tests/support/need.h"
 
 #include <catch2/catch.hpp>
-
-#include <cmath>
 
 using namespace crevice;
 
@@ -166,20 +163,6 @@ TEST_CASE("Two features may not set the same value", "[decode]")
     const Result<Description> both = extended(R"("extends": ["levels"], "features": {
         "speed": {"sets": {"true": {"taps": 1}}}})");
     CHECK(found(both) == "CV2107 /features/speed/sets/true/taps");
-}
-
-TEST_CASE("A param takes its own bounds, though no float is 0.01")
-{
-    ParamDesc power;
-    power.name = "power";
-    power.min = 0.01;
-    power.max = 0.7;
-    REQUIRE(double{0.01f} < power.min);
-    const auto takes = [&power](float value) { return checkValue(power, &value, 1).ok(); };
-    CHECK(takes(0.01f));
-    CHECK(takes(0.7f));
-    CHECK_FALSE(takes(std::nextafter(0.01f, 0.0f)));
-    CHECK_FALSE(takes(std::nextafter(0.7f, 1.0f)));
 }
 
 TEST_CASE("A bare value sets the default of what a module declares and leaves the rest", "[decode]")

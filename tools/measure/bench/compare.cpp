@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compares two benches sample by sample.
-#include "tools/measure/bench/compare.h"
+#include "tools/measure/bench/choice.h"
 
 #include "core/base/text.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finding a value in a merged document and telling which files set it.
-#include "tools/show/plan/explain_value.h"
+#include "tools/show/plan/print.h"
 
 #include "core/base/text.h"
 #include "core/json/merge.h"

@@ -7,7 +7,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/bench/fixture.h"
-#include "tools/measure/bench/compare.h"
+#include "tools/measure/bench/choice.h"
 
 #include <limits>
 

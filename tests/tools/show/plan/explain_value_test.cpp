@@ -4,7 +4,7 @@
 
 #include "core/json/merge.h"
 #include "tests/support/need.h"
-#include "tools/show/plan/explain_value.h"
+#include "tools/show/plan/print.h"
 
 using namespace crevice;
 
