@@ -3,6 +3,7 @@
 #include "core/compile/steps.h"
 
 #include "core/base/text.h"
+#include "core/config/values.h"
 
 #include <tuple>
 
@@ -173,10 +174,13 @@ const Reference& referenceTo(const Pass& pass, const std::string& target)
 
 }  // namespace compiler
 
-Result<Plan> compile(const Description& description, const SceneTraits& traits,
-                     const DeviceCaps& caps, const CompileOptions& options)
+Result<Plan> compile(const Description& given, const SceneTraits& traits, const DeviceCaps& caps,
+                     const CompileOptions& options)
 {
     using namespace compiler;
+    Description description = given;
+    for (ParamDesc& param : description.params)
+        param.value = sceneUnits(param, traits, options.extent.height);
     std::vector<Elided> elided;
     for (const Description::LeftOut& each : description.left_out)
         elided.push_back({"module " + each.module, "replaced", each.reason});

@@ -3,6 +3,7 @@
 #include "core/compile/depth_precision.h"
 
 #include "core/base/text.h"
+#include "core/config/values.h"
 
 #include <cfloat>
 #include <cmath>
@@ -95,7 +96,8 @@ const ParamDesc* resolvedLength(const Description& description)
 PrecisionNeed precisionNeed(const Description& description, const SceneTraits& traits, int height)
 {
     const ParamDesc* radius = resolvedLength(description);
-    return radius ? precisionNeed(traits, double{radius->value[0]}, height) : PrecisionNeed{};
+    if (!radius) return {};
+    return precisionNeed(traits, sceneUnits(*radius, traits, height)[0], height);
 }
 
 double formatStep(Format format, double value)

@@ -103,7 +103,7 @@ void readValue(const Node& document, const Description& description, const Featu
         const bool whole = param->type == ParamType::int_;
         if (!report.errorWithin(param->pointer))
             read(report, cursor, Numbers{setting.value, componentCount(param->type), whole},
-                 range(param->min, param->max, param->unit));
+                 range(param->min, param->max, param->unit, isLength(*param)));
         return;
     }
     const FeatureDesc& other = *findNamed(description.features, setting.name);

@@ -4,6 +4,7 @@
 #include "core/config/decode_reader.h"
 
 #include "core/base/text.h"
+#include "core/config/values.h"
 #include "core/json/merge.h"
 
 #include <cmath>
@@ -67,8 +68,6 @@ bool forEachItem(Report& report, const Cursor& cursor, F each)
 // What to write where a number is wanted; of what is no text or list, the table's sentence.
 std::string wayToNumber(const Node& node, bool whole, const Rule& rule)
 {
-    constexpr std::pair<std::string_view, double> kUnits[] = {
-        {"", 1}, {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"%", 0.01}};
     const std::string unit = rule.unit.empty() ? "1" : std::string(rule.unit);
     const std::string in_unit = unit == "1" ? "" : ", in " + unit;
     if (node.kind == Node::Kind::array && node.items.size() == 1)
@@ -77,11 +76,10 @@ std::string wayToNumber(const Node& node, bool whole, const Rule& rule)
     if (node.kind != Node::Kind::string) return {};
     std::string text = node.text;
     std::replace(text.begin(), text.end(), ',', '.');
-    std::string_view rest = text;
-    const double value = takeNumber(rest).value_or(NAN);
-    for (const auto& [name, factor] : kUnits)
-        if (std::isfinite(value) && rest == name && !(whole && value != std::floor(value)))
-            return "write " + numberText(value * factor) + in_unit + ", without quotes";
+    const double value = parseNumber(text).value_or(NAN);
+    if (std::isfinite(value) && !(whole && value != std::floor(value)))
+        return "write " + numberText(value) + in_unit + ", without quotes";
+    if (rule.length) return kLengthForms;
     return "write a number, such as " + std::string(whole ? "16" : "0.8") + in_unit +
            ", with no quotes or letters";
 }
@@ -217,7 +215,9 @@ bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
         return true;
     };
     if (out.count == 0) return true;  // its type is broken, which has been said
-    if (out.count == 1) return one(cursor, out.values[0]);
+    if (out.count == 1)
+        return (rule.length && takeLength(cursor.node.text, out.values)) ||
+               one(cursor, out.values[0]);
     if (out.fills && cursor.node.kind != Node::Kind::array) {
         const bool good = one(cursor, out.values[0]);
         out.values.fill(out.values[0]);

@@ -17,6 +17,7 @@ struct Rule {
     double min = -std::numeric_limits<double>::infinity();  ///< Inclusive, for each component.
     double max = std::numeric_limits<double>::infinity();   ///< Inclusive, for each component.
     std::string_view unit = {};                             ///< Of the range, for messages.
+    bool length = false;                                    ///< "5%" and "40px" will do, too.
 };
 
 constexpr Rule required(Rule rule = {})
@@ -25,9 +26,9 @@ constexpr Rule required(Rule rule = {})
     return rule;
 }
 
-constexpr Rule range(double min, double max, std::string_view unit = {})
+constexpr Rule range(double min, double max, std::string_view unit = {}, bool length = false)
 {
-    return {false, min, max, unit};
+    return {false, min, max, unit, length};
 }
 
 /// The JSON spellings of an enum, in the order of its values.

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/config/field_types.h"
+#include "core/config/values.h"
 #include "core/sampling/generators.h"
 
 #include <algorithm>
@@ -30,24 +31,24 @@ void fields(V& v, ParamDesc& p)
     v.field("min", p.min, "The least that each component may be.", bounds);
     v.field("max", p.max, "The most that each component may be.", bounds);
     v.ordered("min", p.min, "max", p.max);
+    v.field("bind", p.bind,
+            "`define` for a #define in upper case: another value then compiles the shaders again.");
+    v.field(
+        "semantic", p.semantic,
+        "`length` for a distance in scene units, or \"5%\" or \"40px\" (docs/tuning.md), within "
+        "which an estimator takes samples: formats of depth and positions are chosen to resolve a "
+        "tenth of it. `margin` for the share of the length by which something must lie in front of "
+        "an offset to occlude: no smaller steps are warned of.");
     v.field("default",
             Numbers{p.value, known ? componentCount(p.type) : 0, p.type == ParamType::int_},
             "The initial value: a number such as 0.5, or a list for a vector, such as [1, 0, 0].",
-            required(range(p.min, p.max, p.unit)));
+            required(range(p.min, p.max, p.unit, isLength(p))));
     v.field("soft_max", p.soft_max, "The upper end of a slider; 0 for `max`.",
             range(std::min(p.min, 0.0), p.max, p.unit));
     v.field("step", p.step, "The step of a slider; 0 for none.", range(0, kMaxParam));
     v.field("label", p.label, "The name in a user interface; the key when absent.");
     v.field("tooltip", p.tooltip, "One sentence: what it does, and what a higher value costs.");
     v.field("group", p.group, "The heading in a user interface under which it stands.");
-    v.field("bind", p.bind,
-            "`define` for a #define in upper case: another value then compiles the shaders again.");
-    v.field(
-        "semantic", p.semantic,
-        "`length` for a distance in scene units within which an estimator takes samples: formats "
-        "of depth and positions are chosen to resolve a tenth of it. `margin` for the share of the "
-        "length by which something must lie in front of an offset to occlude: no smaller steps are "
-        "warned of.");
     if (componentCount(p.type) > 1) v.refuse("semantic", Code::bad_enum, "a vector is no length");
     if (componentCount(p.type) > 1 && p.bind == Bind::define)
         v.refuse("bind", Code::bad_enum, "a vector cannot be a define");

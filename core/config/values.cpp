@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/sampling/generators.h"
 
+#include <cfloat>
 #include <cmath>
 
 namespace crevice {
@@ -63,7 +64,8 @@ void carryFeature(const FeatureDesc& old, Description& next, Diagnostics& warnin
 Status checkValue(const ParamDesc& param, const float* values, int count)
 {
     const int components = componentCount(param.type);
-    if (count != components)
+    const bool length = count == 3 && isLength(param) && std::count(values, values + 3, 0.0f) > 1;
+    if (count != components && !length)
         return paramError(Code::bad_length, param,
                           "has " + std::to_string(components) + " components, and " +
                               std::to_string(count) + " values were given",
@@ -111,6 +113,38 @@ std::vector<std::string> textureNames(const Description& description)
     for (const ImportDesc& each : description.imports)
         if (each.type == ImportType::texture) names.push_back(each.name);
     return names;
+}
+
+bool isLength(const ParamDesc& param)
+{
+    return param.semantic == ParamSemantic::length && param.type == ParamType::float_ &&
+           param.bind == Bind::uniform;
+}
+
+bool isRelative(const ParamDesc& param)
+{
+    return isLength(param) && (param.value[1] != 0 || param.value[2] != 0);
+}
+
+bool takeLength(std::string_view text, std::array<float, 4>& value)
+{
+    const double number = takeNumber(text).value_or(-1);
+    if (!(number >= 0 && number <= FLT_MAX) || (text != "%" && text != "px")) return false;
+    value = {};
+    value[text == "%" ? 1 : 2] = static_cast<float>(number);
+    return true;
+}
+
+std::array<float, 4> sceneUnits(const ParamDesc& param, const SceneTraits& traits, int height)
+{
+    if (!isRelative(param)) return param.value;
+    const auto part = [](double count, double length) {
+        return count == 0 ? 0 : length > 0 ? count * length : NAN;
+    };
+    const double distance = traits.orthographic ? 1 : traits.scale.distance;
+    const double sum = param.value[0] + part(param.value[1], traits.scale.diagonal / 100) +
+                       part(param.value[2], 2 * distance / (traits.camera.zoom * height));
+    return {static_cast<float>(std::clamp(sum, param.min, param.max))};
 }
 
 void applyLevel(Description& description, std::string_view feature)

@@ -20,6 +20,21 @@ Values valuesOf(const Description& description);
 /// What a sampler may read: targets, histories, generated textures and those of the host.
 std::vector<std::string> textureNames(const Description& description);
 
+/// Whether the param's value may be relative to the scene, and whether it is.
+bool isLength(const ParamDesc& param);
+bool isRelative(const ParamDesc& param);
+
+constexpr const char* kLengthForms =
+    "write 0.5 in scene units, \"5%\" of the scene's diagonal, or \"40px\" of the view's height at "
+    "its median depth";
+
+/// Reads "5%" or "40px", without blanks and not below 0. Another text leaves the value as it is.
+bool takeLength(std::string_view text, std::array<float, 4>& value);
+
+/// The param's value, in scene units and its range where it is relative: NaN where the scale of the
+/// scene is not known. `height` is the view's, in pixels.
+std::array<float, 4> sceneUnits(const ParamDesc& param, const SceneTraits& traits, int height);
+
 /// Gives params and features the values that the present word of a feature sets, if it sets any.
 void applyLevel(Description& description, std::string_view feature);
 

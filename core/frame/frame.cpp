@@ -270,6 +270,7 @@ SceneTraits steadyTraitsOf(const Frame& frame)
     for (std::size_t view = 0; view <= frame.other_views.size(); ++view)
         traits.turned |= uprightTurn(cameraOf(frame, view)) != glm::dmat3(1.0);
     traits.camera = rangeOf(frame.camera);
+    traits.scale = frame.scale;
     traits.views = 1 + static_cast<int>(frame.other_views.size());
     for (const DrawItem& draw : frame.draws) {
         if (draw.material < 0 || draw.material >= static_cast<int>(frame.materials.size()))

@@ -6,12 +6,14 @@
 #include "core/config/values.h"
 #include "core/run/execution.h"
 
+#include <cmath>
+
 namespace crevice {
 namespace {
 
-/// Whether a plan made with the param's present value does not hold for `next`.
+/// Whether a plan made with the param's value `now` does not hold for `next`.
 bool changesPlan(const Description& description, const ParamDesc& param,
-                 const std::array<float, 4>& next)
+                 const std::array<float, 4>& now, const std::array<float, 4>& next)
 {
     if (param.bind == Bind::define) return true;
     for (const GeneratedDesc& generated : description.generated)
@@ -23,7 +25,7 @@ bool changesPlan(const Description& description, const ParamDesc& param,
         if (pass.frustum_scale_param.name == param.name) return true;
         for (const NoOpDesc& no_op : pass.no_op)
             if (no_op.name == param.name &&
-                isAll(param.value, param.type, no_op.at) != isAll(next, param.type, no_op.at))
+                isAll(now, param.type, no_op.at) != isAll(next, param.type, no_op.at))
                 return true;
     }
     return false;
@@ -111,6 +113,25 @@ struct Renderer::State {
         });
     }
 
+    /// Gives the plan lengths that are relative to the scene. Whether its formats still hold then.
+    Result<bool> followScale(const SceneTraits& scene)
+    {
+        traits.scale = scene.scale;
+        bool holds = true;
+        for (const ParamDesc& param : description.params) {
+            if (!isRelative(param)) continue;
+            const std::array<float, 4> value = sceneUnits(param, scene, options.extent.height);
+            if (std::isnan(value[0]))
+                return Diagnostic{Code::missing_import,
+                                  param.name + " is relative to what Frame::scale lacks",
+                                  "set it, by Effect::setScale, or give a length in scene units",
+                                  param.place, param.pointer};
+            execution->setParam(param.name, value.data());
+            holds = holds && formatsHold(scene);
+        }
+        return holds;
+    }
+
     /// Makes this fit the frame, or leaves it where that fails. A new plan's warnings come back.
     Status prepare(const Frame& frame)
     {
@@ -124,7 +145,9 @@ struct Renderer::State {
             if (!errors.empty()) return errors;
         }
         SceneTraits scene = steadyTraitsOf(frame);
-        if (scene == traits) return execution->setImports(frame);
+        const Result<bool> holds = followScale(scene);
+        if (!holds) return holds.diagnostics();
+        if (*holds && scene == traits) return execution->setImports(frame);
         scene.draws = rangeOf(frame.draws, frame.camera);
         SceneTraits moved = traits;
         moved.camera = scene.camera;
@@ -234,12 +257,15 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
     ParamDesc* const param = &params[index];
     if (Status status = checkValue(*param, values, count); !status) return status;
 
-    const std::array<float, 4> old = param->value;
-    std::array<float, 4> next = old;
-    std::copy(values, values + count, next.begin());
-    if (next == old) return {};
-    const bool replans = changesPlan(state_->description, *param, next);
-    param->value = next;
+    const auto units = [&] {
+        return sceneUnits(*param, state_->traits, state_->options.extent.height);
+    };
+    const std::array<float, 4> old = param->value, before = units();
+    param->value = {};
+    std::copy(values, values + count, param->value.begin());
+    if (param->value == old) return {};
+    const std::array<float, 4> next = units();
+    const bool replans = changesPlan(state_->description, *param, before, next);
     const bool reformats =
         param->semantic == ParamSemantic::length && !state_->formatsHold(state_->traits);
     if (!reformats && !replans) {

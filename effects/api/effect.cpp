@@ -160,6 +160,11 @@ void Effect::setClipControl(const ClipControl& control)
 
 void Effect::setDepthRange(const DepthRange& range) { state_->frame.camera.depth_range = range; }
 
+void Effect::setScale(double diagonal, double median_distance)
+{
+    state_->frame.scale = {diagonal, median_distance};
+}
+
 Status Effect::setTexture(std::string_view name, const HostTexture& host)
 {
     return setViewTexture(0, name, host);

@@ -65,6 +65,7 @@ static void check_nulls(void)
     EXPECT(none, crevice_effect_set_depth_range(NULL, 0, 1));
     EXPECT(none, crevice_effect_set_texture(NULL, "depth", NULL));
     EXPECT(none, crevice_effect_set_param(NULL, "radius", NULL, 1));
+    EXPECT(none, crevice_effect_set_scale(NULL, 1, 1));
     EXPECT(none, crevice_effect_set_feature(NULL, "quality", NULL));
     EXPECT(none, crevice_effect_render(NULL));
     CHECK(crevice_effect_output_count(NULL) == 0);
@@ -226,7 +227,7 @@ static void check_lists(crevice_effect* effect)
 /// Words of a feature that sets other values, and a patch that makes the same effect again.
 static void check_patch(crevice_device* device)
 {
-    const float radius = 0.7f;
+    const float share[] = {0, 5, 0};
     const char* text = NULL;
     crevice_effect* effect = NULL;
     crevice_effect_desc desc = {.struct_size = sizeof desc, .width = 64, .height = 36};
@@ -248,8 +249,10 @@ static void check_patch(crevice_device* device)
     const int other = feature.word == last ? 0 : last;
     EXPECT(0, crevice_effect_set_feature(effect, "quality", feature.words[other]));
     EXPECT(2106, crevice_effect_set_feature(effect, "quality", "best"));
-    EXPECT(0, crevice_effect_set_param(effect, "radius", &radius, 1));
+    EXPECT(0, crevice_effect_set_param(effect, "radius", share, 3));
+    EXPECT(0, crevice_effect_set_scale(effect, 20, 0));
     EXPECT(0, crevice_effect_get_patch(effect, &text));
+    CHECK(strstr(text, "\"5%\"") != NULL);
 
     desc.patch = text;
     crevice_effect* again = NULL;

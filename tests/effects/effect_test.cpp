@@ -267,3 +267,24 @@ TEST_CASE("An effect refuses a texture that its config does not import, with a w
     CHECK_THAT(said(drawn.setTexture("depth", 7, Format::depth24, kExtent)),
                Catch::Contains("+geometry/host_depth"));
 }
+
+TEST_CASE("A radius relative to the scene follows the scale of each frame, and is nothing without")
+{
+    Rig rig;
+    rig.effect.setProjection(kProjection);
+    const float share[] = {0, 5, 0}, pixels[] = {0, 0, 9};
+    const auto drawn = [&rig](double diagonal) {
+        rig.effect.setScale(diagonal, 0);
+        need(rig.effect.render());
+        return rig.device.lastUniform("radius").at(0);
+    };
+    need(rig.effect.setParam("radius", share, 3));
+    CHECK(said(rig.effect.render()).find("CV6010: radius") != std::string::npos);
+    CHECK(drawn(20) == 1);
+    CHECK(drawn(40) == 2);
+    need(rig.effect.setParam("radius", pixels, 3));
+    CHECK(drawn(0) == 0.5f);
+    const float both[] = {1, 5, 0};
+    CHECK(said(rig.effect.setParam("radius", both, 3)).find("CV3006") != std::string::npos);
+    CHECK(said(rig.effect.setParam("power", share, 3)).find("CV3006") != std::string::npos);
+}

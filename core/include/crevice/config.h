@@ -35,15 +35,17 @@ enum class ParamSemantic { other, length, margin };
 /// A tunable number or vector. All bounds hold for each component and are inclusive.
 struct ParamDesc : Named {
     ParamType type = ParamType::float_;
-    std::array<float, 4> value = {0, 0, 0, 0};  ///< JSON "default"; the first `components` count.
-    double min = -1e30;                         ///< Hard: a value below is an error.
-    double max = 1e30;                          ///< Hard: a value above is an error.
-    double soft_max = 0.0;                      ///< Upper end of a slider; 0 for `max`.
-    double step = 0.0;                          ///< Step of a slider; 0 for none.
-    std::string unit;                           ///< "scene units", "pixels", "1" ...
-    std::string label;                          ///< For a user interface; the name when empty.
-    std::string tooltip;  ///< One sentence: what it does, and what a higher value costs.
-    std::string group;    ///< Heading in a user interface.
+    /// JSON "default"; the first `components` count. Of a length one of three: scene units,
+    /// percents of SceneScale::diagonal, or pixels of the view's height at SceneScale::distance.
+    std::array<float, 4> value = {0, 0, 0, 0};
+    double min = -1e30;     ///< Hard: a value below is an error.
+    double max = 1e30;      ///< Hard: a value above is an error.
+    double soft_max = 0.0;  ///< Upper end of a slider; 0 for `max`.
+    double step = 0.0;      ///< Step of a slider; 0 for none.
+    std::string unit;       ///< "scene units", "pixels", "1" ...
+    std::string label;      ///< For a user interface; the name when empty.
+    std::string tooltip;    ///< One sentence: what it does, and what a higher value costs.
+    std::string group;      ///< Heading in a user interface.
     Bind bind = Bind::uniform;
     ParamSemantic semantic = ParamSemantic::other;
 };

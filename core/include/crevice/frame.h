@@ -184,6 +184,12 @@ struct FrameView {
     std::vector<ImportedTexture> textures;  ///< Its own, such as its depth; else the frame's.
 };
 
+/// What lengths such as "5%" and "40px" are relative to, in scene units; 0 is not known.
+struct SceneScale {
+    double diagonal = 0;  ///< Of the box around the scene: that of "%".
+    double distance = 0;  ///< Median one, along the view's axis, of what is seen: that of "px".
+};
+
 /// A frame's input. The host keeps it and changes it in place, so that a steady frame allocates
 /// nothing. What is the same as in the last frame is not drawn again: camera, lights, draws and
 /// materials are compared, and what meshes and textures hold is known by `revision`.
@@ -195,6 +201,7 @@ struct Frame {
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
     std::vector<ImportedTexture> textures;
     std::vector<FrameView> other_views;  ///< From 1 on, orthographic or reversed if `camera` is.
+    SceneScale scale = {};               ///< Lengths follow it from frame to frame.
     /// To be changed when a mesh, or a material's texture, that was drawn before holds something
     /// else now: ids of what was destroyed are given out again.
     std::uint64_t revision = 0;
@@ -252,6 +259,7 @@ struct SceneTraits {
     int views = 1;                  ///< camera.views
     CameraRange camera = {};        ///< Formats are chosen by it, and no condition sees it.
     DrawRange draws = {};           ///< Plans warn by it; no condition and no comparison sees it.
+    SceneScale scale = {};          ///< The same, but that lengths follow it.
 
     bool operator==(const SceneTraits& other) const;
 };

@@ -43,10 +43,10 @@ public:
     /// is drawn. A draw without normals, uv or the buffer of a uniform block that its pass reads is
     /// a warning, once for each plan: CV6019, CV6020.
     ///
-    /// Errors: CV6010 and CV6011 for the frame's textures and cameras; CV6004 where the device's
-    /// context is not current, and the frame then counts as not drawn; CV6005 and CV6009 from the
-    /// driver, and CV6016 where the context is lost: destroy the renderer, and make another on a
-    /// new device from the same `description()`.
+    /// Errors: CV6010 and CV6011 for the frame's textures, scale and cameras; CV6004 where the
+    /// device's context is not current, and the frame then counts as not drawn; CV6005 and CV6009
+    /// from the driver, and CV6016 where the context is lost: destroy the renderer, and make
+    /// another on a new device from the same `description()`.
     Status render(const Frame& frame);
 
     /// The same, but runs every pass and measures how long each takes: by the GPU's timer where the
@@ -69,11 +69,11 @@ public:
     /// `setTiming` and after each new plan. Good until the next `render`.
     const FrameTimes* times() const;
 
-    /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
-    /// bound as defines, those that a count or size is taken from, values at which a pass is or was
-    /// a no-op and a radius that other formats serve better: those plan again. Only a define, or
-    /// a pass that never ran, compiles a shader, which a warning CV5010 names; what was compiled is
-    /// kept for when the value comes back.
+    /// Sets a param's value: as many floats as it has components, or the three of a length
+    /// (ParamDesc::value). Costs nothing, but for params bound as defines, those that a count or
+    /// size is taken from, values at which a pass is or was a no-op and a radius that other formats
+    /// serve better: those plan again. Only a define, or a pass that never ran, compiles a shader,
+    /// which a warning CV5010 names; what was compiled is kept for when the value comes back.
     ///
     /// Errors: CV4001, CV4003, CV4004, CV3006; the old value stays.
     Status setParam(std::string_view name, const float* values, int count);

@@ -270,6 +270,15 @@ crevice_error* crevice_effect_set_param(crevice_effect* effect, const char* name
     });
 }
 
+crevice_error* crevice_effect_set_scale(crevice_effect* effect, double diagonal,
+                                        double median_distance)
+{
+    return onEffect(effect, [&] {
+        effect->effect->setScale(diagonal, median_distance);
+        return Status();
+    });
+}
+
 crevice_error* crevice_effect_set_feature(crevice_effect* effect, const char* name,
                                           const char* word)
 {

@@ -38,6 +38,9 @@ std::string overrideOf(const ParamDesc& param)
     const int count = componentCount(param.type);
     std::vector<std::string> numbers;
     for (int i = 0; i < count; ++i) numbers.push_back(shortest(param.value[i]));
+    if (isRelative(param))
+        numbers[0] =
+            param.value[1] > 0 ? shortest(param.value[1]) + "%" : shortest(param.value[2]) + "px";
     return param.name + "=" + (count == 1 ? numbers[0] : "[" + joined(numbers) + "]");
 }
 

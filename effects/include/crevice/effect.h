@@ -65,6 +65,11 @@ public:
     /// The depth range (glDepthRange) of the host's depth. Default: as it is in `render`.
     void setDepthRange(const DepthRange& range);
 
+    /// What lengths such as "5%" and "40px" are relative to, in scene units: the diagonal of the
+    /// box around the scene, and the median distance, along the view's axis, of what is seen. It
+    /// may change with every frame. Default: 0, unknown; `render` fails where a length needs it.
+    void setScale(double diagonal, double median_distance);
+
     /// Hands over a picture for an import of the config: a texture, a layer or part of one, a
     /// renderbuffer or the depth of a framebuffer. It stays the host's, and must be what it is said
     /// to be. Its content may change with every frame. A texture is read where it is; of all else
@@ -83,8 +88,10 @@ public:
     /// Errors: also CV6011 for a view that there is not, and for another format.
     Status setViewTexture(int view, std::string_view name, const HostTexture& texture);
 
-    /// Sets a param: as many floats as it has components; or a feature: "true", "false" or an
-    /// enum's word. Errors and costs: those of Renderer::setParam and Renderer::setFeature.
+    /// Sets a param: as many floats as it has components, or of a length three, two of them 0:
+    /// scene units, percents of the scene's diagonal and pixels ({0, 5, 0} is "5%"); or a feature:
+    /// "true", "false" or an enum's word. Errors and costs: those of Renderer::setParam and
+    /// Renderer::setFeature.
     Status setParam(std::string_view name, float value);
     Status setParam(std::string_view name, const float* values, int count);
     Status setFeature(std::string_view name, std::string_view value);

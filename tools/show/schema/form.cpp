@@ -82,7 +82,8 @@ Json formOf(Numbers member, const Rule& rule, const Path&)
     const bool any = member.count == 1;
     Json list = listForm(one, any ? 2 : member.count, any ? 4 : member.count);
     list["items"].erase("default");
-    return any || member.fills ? anyForm({one, std::move(list)}) : list;
+    if (any) return anyForm({one, {{"pattern", "^[0-9.eE+]+(%|px)$"}, {"type", "string"}}, list});
+    return member.fills ? anyForm({one, std::move(list)}) : list;
 }
 
 Json formOf(Words, const Rule&, const Path&)

@@ -279,6 +279,12 @@ CREVICE_API crevice_error* crevice_effect_set_clip_control(crevice_effect* effec
 CREVICE_API crevice_error* crevice_effect_set_depth_range(crevice_effect* effect, float near_depth,
                                                           float far_depth);
 
+/// What lengths may be relative to, in scene units: the diagonal of the box around the scene, and
+/// the median distance, along the view's axis, of what is seen. Default: 0, unknown, which is
+/// CV6010 from crevice_effect_render where a length needs it.
+CREVICE_API crevice_error* crevice_effect_set_scale(crevice_effect* effect, double diagonal,
+                                                    double median_distance);
+
 /// What a picture lies in.
 typedef enum crevice_texture_kind {
     CREVICE_TEXTURE,       ///< GL_TEXTURE_2D, or with samples GL_TEXTURE_2D_MULTISAMPLE,
@@ -321,7 +327,9 @@ CREVICE_API crevice_error* crevice_effect_set_view_texture(crevice_effect* effec
                                                            const char* import,
                                                            const crevice_texture* texture);
 
-/// Sets a param: as many floats as it has components. A warning CV5010 says where shaders compiled.
+/// Sets a param: as many floats as it has components, or of a length three, two of them 0: scene
+/// units, percents of the scene's diagonal, and pixels of the view's height at its median depth
+/// ({0, 5, 0} is "5%"). A warning CV5010 says where shaders compiled.
 ///
 /// Errors: CV4004 for an unknown name, CV4001 for a value out of range, CV4003, CV3006.
 CREVICE_API crevice_error* crevice_effect_set_param(crevice_effect* effect, const char* name,
