@@ -239,12 +239,15 @@ void printJson(const Checkup& checkup, const Diagnostics& found)
 int doctor(const DoctorOptions& options)
 {
     const CheckoutSources sources(options.config.checkout, options.config.roots);
-    const Result<Description> description = loadDescription(options.config, sources);
+    Result<Description> description =
+        loadDescription(options.config, sources, isFileScene(options.scene.scene));
     if (!description) return report(description.diagnostics(), options.json);
     Progress progress;
     progress.begin("loading " + options.scene.scene);
     const Result<SceneView> view = loadSceneView(options.scene);
     if (!view) return report(view.diagnostics(), options.json);
+    const Result<std::string> lengths = resolveLengths(*description, *view, options.backend);
+    if (!lengths) return report(lengths.diagnostics(), options.json);
     const Result<Checkup> checkup = checkUp(options, *view, sources, *description, progress);
     progress.wipe();
     if (!checkup) return report(checkup.diagnostics(), options.json);

@@ -7,10 +7,13 @@
 #include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
+#include "tools/render/view_diagnosis.h"
 #include "tools/show/plan/planning.h"
 #include "tools/show/plan/print.h"
 
 #include <crevice/recording_device.h>
+
+#include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,12 +31,16 @@ struct ExplainOptions {
     int views = 1;
 };
 
-/// What the scene has; everything when none was named.
-Result<SceneTraits> sceneTraits(const SceneOptions& options)
+/// What the scene has; everything when none was named. Lengths are resolved, as `lengths` says.
+Result<SceneTraits> sceneTraits(const ExplainOptions& options, Description& description,
+                                std::string& lengths)
 {
-    if (options.scene.empty()) return usualTraits();
-    const Result<SceneView> view = loadSceneView(options);
+    if (options.scene.scene.empty()) return usualTraits();
+    const Result<SceneView> view = loadSceneView(options.scene);
     if (!view) return view.diagnostics();
+    const Result<std::string> known = resolveLengths(description, *view, options.backend);
+    if (!known) return known.diagnostics();
+    lengths = *known;
     RecordingDevice device;
     const Result<UploadedScene> scene = UploadedScene::upload(device, view->scene);
     if (!scene) return scene.diagnostics();
@@ -56,14 +63,16 @@ Result<Plan> makePlan(const ExplainOptions& options, const SourceSet& sources)
     if (!extent) return extent.diagnostics();
     compile_options.extent = *extent;
     compile_options.disable = options.disable;
-    Result<Description> description = loadDescription(options.config, sources);
+    Result<Description> description =
+        loadDescription(options.config, sources, isFileScene(options.scene.scene));
     if (!description) return description.diagnostics();
     for (const std::string& name : options.outputs) {
         const Result<OutputSource> source = exposeOutput(*description, name);
         if (!source) return source.diagnostics();
         compile_options.outputs.push_back(source->output);
     }
-    Result<SceneTraits> traits = sceneTraits(options.scene);
+    std::string lengths;
+    Result<SceneTraits> traits = sceneTraits(options, *description, lengths);
     if (!traits) return traits.diagnostics();
     traits->views = options.views;
     const Result<DeviceCaps> caps = deviceCaps(options.backend);
@@ -79,6 +88,14 @@ int explainValue(const ExplainOptions& options, const SourceSet& sources)
     const Result<FoundValue> value = findValue(*document, options.why);
     if (!value) return report(value.diagnostics(), json);
     printLines(json ? explainJson(*value) : explainText(*value));
+    if (json || options.scene.scene.empty()) return kExitOk;
+    std::string lengths;
+    Result<Description> description =
+        loadDescription(options.config, sources, isFileScene(options.scene.scene));
+    const Result<SceneTraits> traits =
+        description ? sceneTraits(options, *description, lengths) : description.diagnostics();
+    if (!traits) return report(traits.diagnostics(), json);
+    if (startsWith(lengths, options.why + " ")) print("%s\n", lengths.c_str());
     return kExitOk;
 }
 

@@ -5,7 +5,7 @@
 #include "tools/commands/commands.h"
 #include "tools/measure/reference/tracer.h"
 #include "tools/render/image/image_file.h"
-#include "tools/render/scene/options.h"
+#include "tools/render/view_diagnosis.h"
 
 #include "core/base/text.h"
 
@@ -16,6 +16,7 @@ namespace {
 
 struct ReferenceOptions : SceneOptions {
     TraceOptions trace;
+    std::string radius;
     CacheOptions cache;
     std::string file;
 };
@@ -31,8 +32,18 @@ int reference(const ReferenceOptions& options)
     report(view.diagnostics(), false);
     if (!view) return exitCodeOf(view.diagnostics());
 
+    ConfigOptions config{"gtao", "", {}, ""};  // whose radius is read like any config's
+    if (!options.radius.empty()) config.overrides = {"radius=" + options.radius};
+    Result<Description> description =
+        loadDescription(config, shippedSources(), isFileScene(options.scene));
+    const Result<std::string> lengths =
+        description ? resolveLengths(*description, *view) : description.diagnostics();
+    if (!lengths) return report(lengths.diagnostics(), false);
+    if (!lengths->empty()) printMessage("%s\n", lengths->c_str());
+
     progress.begin("tracing");
     TraceOptions trace = options.trace;
+    trace.radius = findNamed(description->params, "radius")->value[0];
     trace.progress = [&progress](double done) { progress.update(done); };
     const Camera camera = {view->camera.view_from_world,
                            clipFromView(view->camera, view->extent, view->bounds)};
@@ -57,9 +68,10 @@ void addReferenceCommand(CLI::App& app, int& exit_code)
     auto options = std::make_shared<ReferenceOptions>();
     addSceneOptions(*command, *options);
     command
-        ->add_option("--radius", options->trace.radius,
-                     "Largest distance of an occluder, in scene units")
-        ->capture_default_str();
+        ->add_option("--radius", options->radius,
+                     "Largest distance of an occluder, in scene units, or as 5% or 40px. Default: "
+                     "0.5, and 5% of a file")
+        ->type_name("LENGTH");
     command->add_option("--rays", options->trace.rays, "Rays per pixel")->capture_default_str();
     addCacheOptions(*command, options->cache);
     addText(*command, "--out", options->file, "FILE.pfm",

@@ -2,6 +2,7 @@
 // crevice render: draws a scene through a config and writes what was asked for.
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
+#include "tools/commands/cli/scene_lengths.h"
 #include "tools/commands/cli/watched_files.h"
 #include "tools/commands/commands.h"
 #include "tools/render/session.h"
@@ -29,6 +30,7 @@ void printSummary(const RenderOptions& options, const Session& session, const Sc
                  static_cast<int>(renderer.plan().passes.size()),
                  printableLine(view.scene.name).c_str(), triangleCount(view.scene),
                  view.extent.width, view.extent.height);
+    if (!session.lengths.empty()) printMessage("%s\n", session.lengths.c_str());
     printMessage("on %s\n", session.open.context->description().c_str());
     printMessage("planned and compiled in %s ms (wall clock)\n",
                  fixed(session.create_ms, 1).c_str());
@@ -62,6 +64,7 @@ void printJson(const Session& session, const SceneView& view, const std::vector<
         {"height", view.extent.height},
         {"passes", renderer.plan().passes.size()},
         {"device", session.open.context->description()},
+        {"lengths", session.lengths},
         {"create_ms", session.create_ms},
         {"first_frame_ms", ms},
         {"files", files},
@@ -84,7 +87,9 @@ Result<Description> loadWatched(const RenderOptions& options, const SourceSet& s
     files.add(*document);
     Result<Description> description = decode(*document, sources, config.limits);
     files.add(description.diagnostics());
-    if (description) files.add(*description);
+    if (!description) return description;
+    files.add(*description);
+    if (isFileScene(options.scene.scene)) fitLengths(*description, *document);
     return description;
 }
 
@@ -93,6 +98,8 @@ Result<double> redraw(const RenderOptions& options, Session& session, Descriptio
                       std::vector<Picture>& pictures)
 {
     std::vector<Picture> next = pictures;
+    const auto lengths = resolveLengths(description, *session.view, options.backend);
+    if (!lengths) return lengths.diagnostics();
     const Result<std::vector<std::string>> outputs = exposeAll(next, description);
     if (!outputs) return outputs.diagnostics();
     CompileOptions compile_options = session.options;
@@ -195,7 +202,8 @@ int render(const RenderOptions& options)
         if (const Status patch = checkPatchFile(options.config, options.save_patch); !patch)
             return report(patch.diagnostics(), options.json);
     const CheckoutSources sources(options.config.checkout, options.config.roots);
-    Result<Description> description = loadDescription(options.config, sources);
+    Result<Description> description =
+        loadDescription(options.config, sources, isFileScene(options.scene.scene));
     if (!description) return report(description.diagnostics(), options.json);
     if (pictures->empty()) return saveAlone(options, sources, description.diagnostics());
     const Result<std::vector<std::string>> outputs = exposeAll(*pictures, *description);

@@ -103,6 +103,7 @@ Frame makeFrame(const UploadedScene& scene, const SceneCamera& camera, Extent ex
     Frame frame = scene.frame_;
     frame.camera.view_from_world = camera.view_from_world;
     frame.camera.clip_from_view = clipFromView(camera, extent, scene.bounds_);
+    frame.scale.diagonal = scene.bounds_.diagonal();
     return frame;
 }
 

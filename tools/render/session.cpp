@@ -90,6 +90,10 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
                             Progress& progress)
 {
     Session session;
+    const Result<std::string> lengths = resolveLengths(description, view, options.backend);
+    if (!lengths) return lengths.diagnostics();
+    session.view = &view;
+    session.lengths = *lengths;
     session.options.extent = view.extent;
     session.options.outputs = outputs;
     session.options.disable = options.disable;

@@ -55,6 +55,8 @@ struct Session {
     std::optional<HostTextures> host;
     Frame frame;  ///< Of the scene; the config's has the host's textures.
     CompileOptions options;
+    const SceneView* view = nullptr;
+    std::string lengths;  ///< As resolveLengths says.
     std::unique_ptr<Renderer> renderer;
     double create_ms = 0;  ///< What Renderer::create took, by the wall clock.
 };
@@ -64,7 +66,8 @@ struct Session {
 Status checkShaders(Session& session, const Description& description,
                     const CompileOptions& options);
 
-/// Uploads the scene and compiles the description, whose outputs of these names are kept.
+/// Uploads the scene, whose view must outlive the session, and compiles the description for it,
+/// whose outputs of these names are kept.
 /// Errors: those of the context, the scene's objects, checkShaders and Renderer::create.
 Result<Session> openSession(const RenderOptions& options, const SceneView& view,
                             Description description, const std::vector<std::string>& outputs,

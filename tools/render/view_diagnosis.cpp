@@ -3,8 +3,11 @@
 
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"
+#include "core/config/values.h"
 #include "tools/commands/cli/output.h"
+#include "tools/render/device/open_device.h"
 #include "tools/render/scene/camera_framing.h"
+#include "tools/render/scene_upload.h"
 #include "tools/render/target_diagnosis.h"
 
 #include <glm/matrix.hpp>
@@ -14,8 +17,8 @@
 namespace crevice {
 namespace {
 
-// The radius to take: this part of the view's height, or of the scene's size where that is less,
-// since the rest of the view is empty then. About what radius 0.5 is in the scene 'room'.
+// The radius to take: this part of the view's height, or 5% of the scene where that is less, since
+// the rest of the view is empty then. About what radius 0.5 is in the scene 'room'.
 constexpr double kShownShare = 0.08;
 
 // Of the occlusion's own: with less, half the size errs by a third more than full size in the mean
@@ -66,16 +69,6 @@ bool isFlat(const Bounds& bounds)
     return std::min({size.x, size.y, size.z}) <= 1e-6 * bounds.diagonal();
 }
 
-// What shows: a share of the view, or of the scene where that is smaller, but some pixels in any
-// case.
-double shownRadius(const ParamDesc& radius, const Bounds& bounds, double unit_px, Extent extent)
-{
-    const double share_of_view = kShownShare * extent.height / unit_px;
-    const double least = 2 * kLeastRadiusPixels / unit_px;
-    const double value = std::max(std::min(share_of_view, kShownShare * bounds.diagonal()), least);
-    return std::clamp(rounded(value), double{radius.min}, double{radius.max});
-}
-
 Diagnostic nothingSeen(const Scene& scene, Extent extent)
 {
     const SceneCamera framing = frameScene(scene, double(extent.width) / extent.height);
@@ -84,6 +77,22 @@ Diagnostic nothingSeen(const Scene& scene, Extent extent)
                       "the camera sees no surface of the scene '" + scene.name + "'",
                       "try --camera 'eye=" + figure(eye.x) + "," + figure(eye.y) + "," +
                           figure(eye.z) + "', from where all of it is seen"});
+}
+
+Result<double> medianDistanceOf(const Scene& shown, const SceneCamera& camera, Extent extent,
+                                const std::string& backend)
+{
+    const Result<OpenDevice> open = openDevice(backend);
+    if (!open) return open.diagnostics();
+    const Result<UploadedScene> scene = UploadedScene::upload(*open->device, shown);
+    if (!scene) return scene.diagnostics();
+    const Frame frame = makeFrame(*scene, camera, extent);
+    const Result<Image> depth = drawDepth(*open->device, frame, extent);
+    if (!depth) return depth.diagnostics();
+    if (const auto distance = medianDistance(*depth, frame.camera)) return *distance;
+    return Diagnostic{
+        Code::nothing_seen, "the camera sees no surface to measure pixels at",
+        "give the length in scene units or as a share of the scene, or move --camera"};
 }
 
 }  // namespace
@@ -108,8 +117,10 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
     const std::string size = radius->name + " " + figure(now) + " is " +
                              figure(rounded(now * unit_px)) + " pixels at the median depth " +
                              figure(rounded(*distance));
-    const double shown = shownRadius(*radius, bounds, unit_px, plan.extent);
-    const std::string help = "try --set " + radius->name + "=" + figure(shown);
+    const double shown_px = std::max(kShownShare * plan.extent.height, 2 * kLeastRadiusPixels);
+    const bool small = 0.05 * bounds.diagonal() * unit_px < shown_px;
+    const std::string help =
+        "try --set " + radius->name + "=" + (small ? "5%" : figure(rounded(shown_px)) + "px");
     const bool constant = ao && isConstant(*ao);
     if (constant && !isFlat(bounds))
         return {asWarning(
@@ -127,6 +138,34 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
              size + ", too few for occlusion at " + figure(rounded(share)) + " of the resolution",
              "try --set ao_scale=1, or a config at full resolution such as gtao"})};
     return {};
+}
+
+Result<std::string> resolveLengths(Description& description, const Scene& scene,
+                                   const Bounds& bounds, const SceneCamera& seen, Extent extent,
+                                   const std::string& backend)
+{
+    SceneTraits traits;
+    const Camera camera = {seen.view_from_world, clipFromView(seen, extent, bounds)};
+    traits.orthographic = camera.orthographic();
+    traits.camera = rangeOf(camera);
+    traits.scale.diagonal = bounds.diagonal();
+    if (anyOf(description.params, [](auto& p) { return isRelative(p) && p.value[2] > 0; })) {
+        const Result<double> distance = medianDistanceOf(scene, seen, extent, backend);
+        if (!distance) return distance.diagnostics();
+        traits.scale.distance = *distance;
+    }
+    std::vector<std::string> said;
+    for (ParamDesc& param : description.params) {
+        const auto value = param.value;
+        if (!isRelative(param)) continue;
+        param.value = sceneUnits(param, traits, extent.height);
+        said.push_back(param.name + " " +
+                       (value[1] > 0 ? shortest(value[1]) + " % of the scene"
+                                     : shortest(value[2]) + " pixels at the median depth " +
+                                           figure(rounded(traits.scale.distance))) +
+                       " = " + figure(rounded(param.value[0])));
+    }
+    return joined(said);
 }
 
 }  // namespace crevice

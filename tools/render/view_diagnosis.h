@@ -4,7 +4,8 @@
 #pragma once
 
 #include "tools/render/read_output.h"
-#include "tools/render/scene/scene.h"
+#include "tools/render/scene/builtin_scenes.h"
+#include "tools/render/scene/options.h"
 
 namespace crevice {
 
@@ -20,5 +21,18 @@ double pixelsOf(double length, double distance, const Camera& camera, Extent ext
 /// few of the occlusion's own pixels, where that is smaller than the view.
 Diagnostics checkView(const Description& description, const Plan& plan, const Scene& scene,
                       const Camera& camera, std::optional<double> distance, const Image* ao);
+
+/// Puts lengths into scene units; says what they were: "radius 5 % of the scene = 0.31", or "".
+/// Pixels need the depth of the view, which a context of that backend then draws.
+///
+/// Errors: those of openDevice and drawDepth; CV7008 for pixels where no surface is seen.
+Result<std::string> resolveLengths(Description& description, const Scene& scene,
+                                   const Bounds& bounds, const SceneCamera& seen, Extent extent,
+                                   const std::string& backend = {});
+inline Result<std::string> resolveLengths(Description& description, const SceneView& view,
+                                          const std::string& backend = {})
+{
+    return resolveLengths(description, view.scene, view.bounds, view.camera, view.extent, backend);
+}
 
 }  // namespace crevice

@@ -176,6 +176,15 @@ sed -i 's|sqrt(sum / 5.0 - 0.9)|sum / 5.0 + 0.7|' cross.frag
 expect 5 "CV9004: pass 'cross' writes [0-9]+ of 6144 pixels out of range .*: 1.7" doctor cross.json "${small[@]}"
 expect 0 'intensity is 0, so ao is 1' doctor learnopengl "${small[@]}" --set intensity=0
 expect 0 'pixels at the median depth' doctor gtao "${small[@]}" --set radius=1e-6
+# A model in millimetres, whose radius nobody sets; one that somebody sets is theirs.
+printf 'v %s 0 %s\n' -1000 -1000 1000 -1000 1000 1000 -1000 1000 >millimetres.obj
+printf '%s\n' 'v -1000 1000 -1000' 'v 1000 1000 -1000' 'f 4 3 2 1' 'f 1 2 6 5' >>millimetres.obj
+millimetres=(--scene millimetres.obj --size 96x64)
+expect 0 'radius 5 % of the scene = 150' render gtao "${millimetres[@]}" --backend "$backend" --out ao=ao.pfm
+check "a model in millimetres shows AO at default settings" test "$(grep -c CV stderr.txt)" = 0
+expect 0 'CV9003.*radius 0.5' render gtao "${millimetres[@]}" --backend "$backend" --set radius=0.5 --out ao=ao.pfm
+expect 0 'radius 5 % of the scene = 150' explain gtao "${millimetres[@]}" --why radius
+expect 0 '8 pixels at the median depth' reference "${millimetres[@]}" --radius 8px --rays 1 --out one.pfm
 expect 0 'sees no surface' doctor gtao "${small[@]}" --camera 'eye=0,1,100;at=0,1,200'
 # ... and AO and light against what they must be.
 checkout=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../../.." && pwd)

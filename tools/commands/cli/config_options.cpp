@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/cli/patch_text.h"
+#include "tools/commands/cli/scene_lengths.h"
 #include "tools/render/image/image_file.h"
 
 #include <CLI/CLI.hpp>
@@ -107,7 +108,7 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options)
 {
     addVariantOption(app, options.variant);
     addList(app, "--set", options.overrides, "NAME=VALUE",
-            "Set a param or feature (radius=0.8), or any value by its JSON pointer "
+            "Set a param or feature (radius=0.8, radius=5%), or any value by its JSON pointer "
             "(/passes/blur/when=null); may be repeated");
     addHostDepthOption(app, options.overrides);
     addCheckoutOption(app, options.checkout);
@@ -198,19 +199,24 @@ void addDisableOption(CLI::App& app, std::vector<std::string>& disable)
         ->check(CLI::IsMember(names));
 }
 
-Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources)
+Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources,
+                                    bool file_scene)
 {
     const Result<Node> document = loadConfig(sources, requestOf(options));
     if (!document) return document.diagnostics();
-    return decode(*document, sources, options.limits);
+    Result<Description> description = decode(*document, sources, options.limits);
+    if (description && file_scene) fitLengths(*description, *document);
+    return description;
 }
 
-Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources)
+Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources,
+                                     bool file_scene)
 {
     const Result<Node> document = loadConfig(sources, requestOf(options));
     if (!document) return document.diagnostics();
     Result<Description> description = decode(*document, sources, options.limits);
     if (!description) return description.diagnostics();
+    if (file_scene) fitLengths(*description, *document);
     ContentHash hash;
     addNode(hash, *document);
     for (const auto& [path, source] : description->files) {

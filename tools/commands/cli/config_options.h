@@ -57,8 +57,10 @@ void addRootOption(CLI::App& app, std::vector<std::string>& roots);
 /// Adds --disable: optimizations of <crevice/compile.h> that are switched off.
 void addDisableOption(CLI::App& app, std::vector<std::string>& disable);
 
-/// Loads, merges and decodes. Errors: those of loadConfig and decode.
-Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources);
+/// Loads, merges, decodes, and for a scene that is a file fits lengths (scene_lengths.h). Errors:
+/// those of loadConfig and decode.
+Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources,
+                                    bool file_scene = false);
 
 /// A config with its overrides in force.
 struct LoadedConfig {
@@ -67,7 +69,8 @@ struct LoadedConfig {
 };
 
 /// As loadDescription.
-Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources);
+Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources,
+                                     bool file_scene = false);
 
 /// Checks what can be known before drawing. Errors: CV8001 where `file` is the config or does not
 /// end in .json, CV7007 where it cannot be written.

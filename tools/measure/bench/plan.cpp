@@ -7,6 +7,7 @@
 #include "tools/measure/taps.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene/options.h"
+#include "tools/render/view_diagnosis.h"
 
 #include "core/base/content_hash.h"
 #include "core/base/text.h"
@@ -177,8 +178,8 @@ private:
             sample.triangles = triangleCount(*view.scene);
         }
 
-        const Result<LoadedConfig> loaded =
-            loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
+        Result<LoadedConfig> loaded = loadWithContent({config, {}, overrides, {}, options_.roots},
+                                                      sources_, isFileScene(place.scene));
         const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
         if (!known && sample.failure.empty()) sample.failure = failureText(known.diagnostics());
 
@@ -189,8 +190,14 @@ private:
     }
 
     /// What the loaded config says about the sample.
-    Status describe(const Place& place, const LoadedConfig& loaded, BenchTask& task)
+    Status describe(const Place& place, LoadedConfig& loaded, BenchTask& task)
     {
+        if (place.failure.empty()) {
+            const BenchView& view = plan.views.back();
+            const Result<std::string> known = resolveLengths(loaded.description, *view.scene,
+                                                             view.bounds, view.camera, view.extent);
+            if (!known) return known.diagnostics();
+        }
         const std::vector<OutputDesc>& outputs = loaded.description.outputs;
         if (!outputs.empty() && !findNamed(outputs, options_.output))
             return Diagnostic{Code::output_missing,

@@ -5,6 +5,7 @@
 #include "tools/measure/cost/counting_device.h"
 #include "tools/measure/cost/gpus.h"
 #include "tools/render/scene_upload.h"
+#include "tools/render/view_diagnosis.h"
 #include "tools/show/plan/planning.h"
 #include "tools/show/plan/print.h"
 
@@ -224,8 +225,10 @@ Result<Json> costOf(const CostOptions& options, const std::string& name, const S
 {
     ConfigOptions chosen = options.config;
     chosen.config = name;
-    const Result<Description> description = loadDescription(chosen, sources);
+    Result<Description> description =
+        loadDescription(chosen, sources, isFileScene(options.scene.scene));
     if (!description) return description.diagnostics();
+    if (const auto known = resolveLengths(*description, view); !known) return known.diagnostics();
     const Result<Plan> plan = planFor(*description, view);
     if (!plan) return plan.diagnostics();
     const std::vector<PassRole> roles = passRoles(*plan);

@@ -161,6 +161,11 @@ const std::vector<std::string>& builtinSceneNames()
     return names;
 }
 
+bool isFileScene(const std::string& scene)
+{
+    return !scene.empty() && !contains(builtinSceneNames(), scene);
+}
+
 bool needsFile(std::string_view builtin_scene) { return builtin_scene == "room"; }
 
 Result<Scene> builtinScene(std::string_view name)

@@ -13,6 +13,9 @@ namespace crevice {
 /// "corner", "plane", "room", "spheres", "street".
 const std::vector<std::string>& builtinSceneNames();
 
+/// Whether a scene of that name is a file; "" is none.
+bool isFileScene(const std::string& scene);
+
 /// Whether a built-in scene has a mesh that is a file of the system's.
 bool needsFile(std::string_view builtin_scene);
 

@@ -227,6 +227,8 @@ EXPORT const char* page_load(int slot, const char* text)
     request.variant = json.value("variant", "");
     request.outputs = json.value("outputs", std::vector<std::string>{"color", "ao"});
     request.look = json.value("look", "");
+    request.file_scene = isFileScene(engine.stage->scene().name);
+    engine.frame.scale.diagonal = engine.stage->scene().bounds().diagonal();
     request.without_occlusion = json.value("without_occlusion", false);
     return say(measured([&] {
         return engine.slots[slot].load(*engine.device, sources(), request, engine.extent,

@@ -6,8 +6,10 @@
 
 #include "core/base/text.h"
 #include "core/config/field_types.h"
+#include "core/config/values.h"
 #include "core/json/merge.h"
 #include "tools/commands/cli/patch_text.h"
+#include "tools/commands/cli/scene_lengths.h"
 #include "tools/show/plan/print.h"
 
 #include <nlohmann/json.hpp>
@@ -134,6 +136,9 @@ Status Slot::load(Device& device, const SourceSet& sources, const SlotRequest& r
     if (!document) return document.diagnostics();
     Result<Description> description = decode(*document, sources);
     if (!description) return description.diagnostics();
+    if (request.file_scene) fitLengths(*description, *document);
+    for (ParamDesc& param : description->params)  // px stay: only the renderer says what they lack
+        if (param.value[2] == 0) param.value = sceneUnits(param, traitsOf(frame), extent.height);
     const std::vector<std::string> files = filesOf(*document, *description, request.config);
     Description text = *description;
     if (request.without_occlusion) description = withoutOcclusion(std::move(*description));

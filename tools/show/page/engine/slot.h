@@ -14,6 +14,7 @@ namespace crevice::page {
 struct SlotRequest {
     std::string config;
     std::string variant = {};
+    bool file_scene = false;
     std::vector<std::string> outputs = {};  ///< Those that the config has are kept.
     std::string look = {};                  ///< A target to be kept, too; empty for none.
     bool without_occlusion = false;
