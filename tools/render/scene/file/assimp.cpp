@@ -33,9 +33,6 @@ namespace {
 // Faces that meet at a sharper angle get an edge where a file has no normals: boxes stay boxes.
 constexpr double kCreaseDegrees = 60.0;
 
-// Coordinates beyond it overflow a float when squared.
-constexpr float kMaxCoordinate = 1e18f;
-
 // Normals and shared vertices are our own work: Assimp's takes minutes for a million triangles.
 constexpr unsigned kPostProcess =
     aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent;
@@ -77,20 +74,11 @@ unsigned dropBrokenFaces(aiMesh& mesh)
     return dropped;
 }
 
-// Adding zero makes -0 to 0, so that equal vertices are equal in all their bits.
 Vertex vertexFrom(const aiMesh& mesh, unsigned index)
 {
     Vertex vertex;
-    const aiVector3D& position = mesh.mVertices[index];
-    const aiVector3D from = mesh.HasNormals() ? mesh.mNormals[index] : aiVector3D(0, 0, 0);
-    const glm::dvec3 normal(from.x, from.y, from.z);
-    const double length = glm::length(normal);
-    const bool usable_normal = length > 0.0 && std::isfinite(length);
-    for (int axis = 0; axis < 3; ++axis) {
-        vertex.position[axis] = position[axis] + 0.0f;
-        vertex.normal[axis] =
-            usable_normal ? static_cast<float>(normal[axis] / length) + 0.0f : 0.0f;
-    }
+    setVertex(vertex, &mesh.mVertices[index].x,
+              mesh.HasNormals() ? &mesh.mNormals[index].x : nullptr);
     if (mesh.HasTextureCoords(0) && usable(mesh.mTextureCoords[0][index])) {
         vertex.uv[0] = mesh.mTextureCoords[0][index].x + 0.0f;
         vertex.uv[1] = mesh.mTextureCoords[0][index].y + 0.0f;

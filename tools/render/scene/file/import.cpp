@@ -9,9 +9,11 @@
 #include "tools/render/scene/file/gltf/file.h"
 #include "tools/render/scene/file/limits.h"
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace crevice {
 
@@ -147,6 +149,17 @@ Diagnostic brokenScene(const std::string& path, const std::string& reason, std::
     while (!error.message.empty() && (error.message.back() == '.' || error.message.back() == '\n'))
         error.message.pop_back();
     return error;
+}
+
+void setVertex(Vertex& vertex, const float* position, const float* normal)
+{
+    const glm::dvec3 given = normal ? glm::dvec3(glm::make_vec3(normal)) : glm::dvec3(0.0);
+    const double length = glm::length(given);
+    const bool usable = length > 0 && std::isfinite(length);
+    for (int axis = 0; axis < 3; ++axis) {
+        vertex.position[axis] = position[axis] + 0.0f;
+        vertex.normal[axis] = usable ? static_cast<float>(given[axis] / length) + 0.0f : 0.0f;
+    }
 }
 
 bool isGltf(const std::string& path)

@@ -28,6 +28,13 @@ bool isGltf(const std::string& path);
 /// "Base Color.png" of "Base%20Color.png", as URIs write it.
 std::string percentDecoded(const std::string& text);
 
+/// Coordinates beyond it overflow a float when squared.
+constexpr float kMaxCoordinate = 1e18f;
+
+/// Sets place and normal, by three numbers each; a normal of no length, or null, becomes 0. -0
+/// becomes 0, so that equal vertices are equal in all their bits.
+void setVertex(Vertex& vertex, const float* position, const float* normal);
+
 /// CV7002.
 Diagnostic brokenScene(const std::string& path, const std::string& reason,
                        std::string help = kSceneFormats);

@@ -16,9 +16,6 @@ namespace {
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
-// Coordinates beyond it overflow a float when squared.
-constexpr float kMaxCoordinate = 1e18f;
-
 std::unique_ptr<draco::Mesh> unfolded(const GltfFile& file, const json& packed)
 {
     const std::string_view bytes = file.view(indexOf(member(packed, "bufferView")));
@@ -152,17 +149,6 @@ void bendBySkin(const Primitive& primitive, const std::vector<glm::dmat4>& joint
             glm::inverseTranspose(glm::dmat3(bend)) * glm::dvec3(glm::make_vec3(&normals[3 * k]));
         std::copy_n(glm::value_ptr(normal), 3, &normals[3 * k]);
     }
-}
-
-// -0 becomes 0, so that equal vertices are equal in every bit.
-void setVertex(Vertex& vertex, const float* position, const float* normal)
-{
-    std::transform(position, position + 3, vertex.position, [](float each) { return each + 0.0f; });
-    const glm::dvec3 given = normal ? glm::dvec3(glm::make_vec3(normal)) : glm::dvec3(0.0);
-    const double length = glm::length(given);
-    const bool usable = length > 0 && std::isfinite(length);
-    for (int axis = 0; axis < 3; ++axis)
-        vertex.normal[axis] = usable ? static_cast<float>(given[axis] / length) + 0.0f : 0.0f;
 }
 
 // Texture coordinates from the lower left.
