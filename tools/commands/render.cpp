@@ -75,6 +75,16 @@ void printJson(const Session& session, const SceneView& view, const std::vector<
     printAsJson(json);
 }
 
+/// Whether nobody knows the units of what is drawn, and the length to take then.
+bool isUnfitted(const RenderOptions& options)
+{
+    return !options.pictures.files.empty() || isFileScene(options.scene.scene);
+}
+const char* lengthOf(const RenderOptions& options)
+{
+    return options.pictures.files.empty() ? kShareOfScene : "40px";
+}
+
 /// Loads the config, and adds the files that it is made of to those watched, whole or broken.
 Result<Description> loadWatched(const RenderOptions& options, const SourceSet& sources,
                                 WatchedFiles& files)
@@ -89,7 +99,7 @@ Result<Description> loadWatched(const RenderOptions& options, const SourceSet& s
     files.add(description.diagnostics());
     if (!description) return description;
     files.add(*description);
-    if (isFileScene(options.scene.scene)) fitLengths(*description, *document);
+    if (isUnfitted(options)) fitLengths(*description, *document, lengthOf(options));
     return description;
 }
 
@@ -98,8 +108,11 @@ Result<double> redraw(const RenderOptions& options, Session& session, Descriptio
                       std::vector<Picture>& pictures)
 {
     std::vector<Picture> next = pictures;
-    const auto lengths = resolveLengths(description, *session.view, options.backend);
+    const auto lengths = session.pictures
+                             ? resolveLengths(description, *session.pictures)
+                             : resolveLengths(description, *session.view, options.backend);
     if (!lengths) return lengths.diagnostics();
+    if (session.pictures) session.pictures->fitFormats(description);
     const Result<std::vector<std::string>> outputs = exposeAll(next, description);
     if (!outputs) return outputs.diagnostics();
     CompileOptions compile_options = session.options;
@@ -158,6 +171,7 @@ Diagnostics checkPicture(Session& session, const SceneView& view,
     });
     const Renderer& renderer = *session.renderer;
     const Camera& camera = session.frame.camera;
+    if (session.pictures) return {};
     const Result<Image> depth = drawDepth(*session.open.device, session.frame, view.extent);
     if (!depth) return {};
     return checkView(renderer.description(), renderer.plan(), view.scene, camera,
@@ -193,17 +207,33 @@ int saveAlone(const RenderOptions& options, const SourceSet& sources, Diagnostic
     return kExitOk;
 }
 
-int render(const RenderOptions& options)
+/// A scene without anything in it, seen as the pictures are.
+Result<SceneView> loadView(const RenderOptions& options, const std::optional<HostPictures>& host)
+{
+    if (!host) return loadSceneView(options.scene);
+    SceneView view = {{}, {}, {}, host->extent()};
+    view.scene.name = "imported pictures";
+    return view;
+}
+
+int render(RenderOptions options)
 {
     Result<std::vector<Picture>> pictures = readRequests(options);
     if (!pictures) return report(pictures.diagnostics(), options.json);
+    std::optional<HostPictures> host;
+    if (!options.pictures.files.empty()) {
+        Result<HostPictures> read = HostPictures::read(options.pictures, options.scene.camera);
+        if (!read) return report(read.diagnostics(), options.json);
+        host = std::move(*read);
+        options.config.overrides.push_back(std::string("+") + host->module());
+    }
     const bool saves = !options.save_patch.empty();
     if (saves)
         if (const Status patch = checkPatchFile(options.config, options.save_patch); !patch)
             return report(patch.diagnostics(), options.json);
     const CheckoutSources sources(options.config.checkout, options.config.roots);
     Result<Description> description =
-        loadDescription(options.config, sources, isFileScene(options.scene.scene));
+        loadDescription(options.config, sources, isUnfitted(options), lengthOf(options));
     if (!description) return report(description.diagnostics(), options.json);
     if (pictures->empty()) return saveAlone(options, sources, description.diagnostics());
     const Result<std::vector<std::string>> outputs = exposeAll(*pictures, *description);
@@ -211,9 +241,10 @@ int render(const RenderOptions& options)
 
     Progress progress;
     progress.begin("loading " + options.scene.scene);
-    const Result<SceneView> view = loadSceneView(options.scene);
+    const Result<SceneView> view = loadView(options, host);
     Result<Session> session =
-        view ? openSession(options, *view, *description, *outputs, progress) : view.diagnostics();
+        view ? openSession(options, *view, std::move(host), *description, *outputs, progress)
+             : view.diagnostics();
     progress.begin("drawing");
     const bool moves = !options.path.empty();
     const Result<double> ms = !session ? session.diagnostics()
@@ -235,11 +266,32 @@ int render(const RenderOptions& options)
     return options.watch ? watch(options, sources, *session, *pictures) : kExitOk;
 }
 
+void addPictureImports(CLI::App& app, HostPictureOptions& options)
+{
+    addList(app, "--import", options.files, "NAME=FILE",
+            "Take another engine's pictures in place of a scene: depth, linear_depth or log_depth, "
+            "and normal; or position and normal; from .exr, .pfm or .png, row 0 at the bottom of "
+            "the view; may be repeated")
+        ->excludes("--scene")
+        ->excludes("--host-depth")
+        ->excludes("--size");
+    addText(
+        app, "--projection", options.projection, "PROJECTION",
+        "How they were projected: fov=DEGREES;near=D;far=D (or ortho=HEIGHT; shift=X,Y), or the "
+        "16 numbers of the matrix by columns")
+        ->needs("--import");
+    app.add_flag("--zero-to-one", options.zero_to_one,
+                 "Depth in their clip space runs from 0 to 1, as in Direct3D, Vulkan and Metal, "
+                 "and not from -1")
+        ->needs("--import");
+}
+
 void addPictureOptions(CLI::App& app, RenderOptions& options)
 {
     addList(app, "--out", options.out, "NAME=FILE",
             "What to write where: an output, a debug view or a target (target.NAME where an output "
-            "has that name), to .png or .pfm; may be repeated; with --host-depth ao=ao.png unless "
+            "has that name), to .png, .pfm or .exr; may be repeated; with --host-depth ao=ao.png "
+            "unless "
             "told")
         ->capture_default_str();
     app.add_option("--frames", options.frames,
@@ -266,6 +318,7 @@ void addRenderCommand(CLI::App& app, int& exit_code)
         ->required();
     addSceneOptions(*command, options->scene);
     addConfigOptions(*command, options->config);
+    addPictureImports(*command, options->pictures);
     addDisableOption(*command, options->disable);
     addBackendOption(*command, options->backend);
     addPrecisionOption(*command, options->precision);
@@ -287,9 +340,11 @@ void addRenderCommand(CLI::App& app, int& exit_code)
         "      --out color=lit.png --out ao=ao.pfm\n"
         "  crevice render my.json --watch\n"
         "  crevice render gtao_temporal --path pan --out 'ao=frame_%03d.png'\n"
+        "  crevice render gtao --import depth=a.exr --projection 'fov=50;near=0.1;far=100'\n"
         "  crevice render my.json --scene room --camera 'eye=4,2,6;at=0,1,0;fov=50'");
     command->callback([options, command, &exit_code] {
-        const std::string name = command->count("--host-depth") > 0 ? "ao" : "color";
+        const bool bare = command->count("--host-depth") + command->count("--import") > 0;
+        const std::string name = bare ? "ao" : "color";
         if (command->count("--out") == 0) options->out.clear();
         if (options->out.empty() && options->save_patch.empty())
             options->out = {name + "=" + name + (options->path.empty() ? ".png" : "_%03d.png")};

@@ -86,11 +86,13 @@ Status checkShaders(Session& session, const Description& description, const Comp
 }
 
 Result<Session> openSession(const RenderOptions& options, const SceneView& view,
-                            Description description, const std::vector<std::string>& outputs,
-                            Progress& progress)
+                            std::optional<HostPictures> pictures, Description description,
+                            const std::vector<std::string>& outputs, Progress& progress)
 {
     Session session;
-    const Result<std::string> lengths = resolveLengths(description, view, options.backend);
+    const Result<std::string> lengths = pictures
+                                            ? resolveLengths(description, *pictures)
+                                            : resolveLengths(description, view, options.backend);
     if (!lengths) return lengths.diagnostics();
     session.view = &view;
     session.lengths = *lengths;
@@ -106,6 +108,12 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     if (!scene) return scene.diagnostics();
     session.scene = std::move(*scene);
     session.frame = makeFrame(*session.scene, view.camera, view.extent);
+    session.pictures = std::move(pictures);
+    if (session.pictures) {
+        session.pictures->fitFormats(description);
+        if (Status there = session.pictures->upload(device, session.frame); !there)
+            return there.diagnostics();
+    }
     Result<HostTextures> host = HostTextures::make(device, description, view.extent, session.frame);
     if (!host) return host.diagnostics();
     session.host = std::move(*host);

@@ -6,6 +6,7 @@
 #include "tools/commands/cli/output.h"
 #include "tools/render/camera_path.h"
 #include "tools/render/device/open_device.h"
+#include "tools/render/host_pictures.h"
 #include "tools/render/host_textures.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"
@@ -21,6 +22,7 @@ constexpr int kPathFrames = 32;
 struct RenderOptions {
     ConfigOptions config;
     SceneOptions scene;
+    HostPictureOptions pictures;  ///< Without files the scene is drawn.
     std::string backend;
     std::string precision;
     std::string program_cache;
@@ -52,6 +54,7 @@ Result<std::vector<std::string>> exposeAll(std::vector<Picture>& pictures,
 struct Session {
     OpenDevice open;
     std::optional<UploadedScene> scene;
+    std::optional<HostPictures> pictures;  ///< In place of the scene.
     std::optional<HostTextures> host;
     Frame frame;  ///< Of the scene; the config's has the host's textures.
     CompileOptions options;
@@ -66,12 +69,12 @@ struct Session {
 Status checkShaders(Session& session, const Description& description,
                     const CompileOptions& options);
 
-/// Uploads the scene, whose view must outlive the session, and compiles the description for it,
-/// whose outputs of these names are kept.
+/// Uploads the scene, whose view must outlive the session, or the pictures, and compiles the
+/// description for it, whose outputs of these names are kept.
 /// Errors: those of the context, the scene's objects, checkShaders and Renderer::create.
 Result<Session> openSession(const RenderOptions& options, const SceneView& view,
-                            Description description, const std::vector<std::string>& outputs,
-                            Progress& progress);
+                            std::optional<HostPictures> pictures, Description description,
+                            const std::vector<std::string>& outputs, Progress& progress);
 
 /// Draws the frames and reads every picture of the last one back. Gives the milliseconds of the
 /// first, by the wall clock, the wait for the GPU included.

@@ -13,6 +13,7 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
+#include <functional>
 
 namespace crevice {
 namespace {
@@ -79,6 +80,42 @@ Diagnostic nothingSeen(const Scene& scene, Extent extent)
                           figure(eye.z) + "', from where all of it is seen"});
 }
 
+Diagnostic nothingToMeasure()
+{
+    return {Code::nothing_seen, "the camera sees no surface to measure pixels at",
+            "give the length in scene units or as a share of the scene, or move --camera"};
+}
+
+// `distance` is called where a length is in pixels; `diagonal` is 0 where there is no scene.
+Result<std::string> inSceneUnits(Description& description, const Camera& camera, Extent extent,
+                                 double diagonal, const std::function<Result<double>()>& distance)
+{
+    SceneTraits traits;
+    traits.orthographic = camera.orthographic();
+    traits.camera = rangeOf(camera);
+    traits.scale.diagonal = diagonal;
+    std::vector<std::string> said;
+    for (ParamDesc& param : description.params) {
+        if (!isRelative(param)) continue;
+        const double percent = param.value[1], pixels = param.value[2];
+        if (percent > 0 && diagonal == 0)
+            return Diagnostic{Code::usage, param.name + " is a share of a scene, and there is none",
+                              "give it in pixels, as 40px, or in the units of the depth"};
+        if (pixels > 0) {
+            const Result<double> seen = distance();
+            if (!seen) return seen.diagnostics();
+            traits.scale.distance = *seen;
+        }
+        param.value = sceneUnits(param, traits, extent.height);
+        said.push_back(param.name + " " +
+                       (percent > 0 ? figure(percent) + " % of the scene"
+                                    : figure(pixels) + " pixels at the median depth " +
+                                          figure(rounded(traits.scale.distance))) +
+                       " = " + figure(rounded(param.value[0])));
+    }
+    return joined(said);
+}
+
 Result<double> medianDistanceOf(const Scene& shown, const SceneCamera& camera, Extent extent,
                                 const std::string& backend)
 {
@@ -90,9 +127,7 @@ Result<double> medianDistanceOf(const Scene& shown, const SceneCamera& camera, E
     const Result<Image> depth = drawDepth(*open->device, frame, extent);
     if (!depth) return depth.diagnostics();
     if (const auto distance = medianDistance(*depth, frame.camera)) return *distance;
-    return Diagnostic{
-        Code::nothing_seen, "the camera sees no surface to measure pixels at",
-        "give the length in scene units or as a share of the scene, or move --camera"};
+    return nothingToMeasure();
 }
 
 }  // namespace
@@ -122,11 +157,14 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
     const std::string help =
         "try --set " + radius->name + "=" + (small ? "5%" : figure(rounded(shown_px)) + "px");
     const bool constant = ao && isConstant(*ao);
+    const bool fits = now * unit_px >= kLeastRadiusPixels && now * unit_px < plan.extent.height;
     if (constant && !isFlat(bounds))
         return {asWarning(
             {Code::output_constant,
              "the ambient occlusion is " + shortest(ao->pixels[0]) + " everywhere: " + size,
-             help})};
+             fits ? "no surface in view faces another one that near; take a larger radius, or "
+                    "another --camera"
+                  : help})};
     if (now * unit_px < kLeastRadiusPixels)
         return {asWarning({Code::out_of_range, size + ", where no ambient occlusion shows", help})};
     if (now * unit_px > plan.extent.height)
@@ -144,28 +182,18 @@ Result<std::string> resolveLengths(Description& description, const Scene& scene,
                                    const Bounds& bounds, const SceneCamera& seen, Extent extent,
                                    const std::string& backend)
 {
-    SceneTraits traits;
     const Camera camera = {seen.view_from_world, clipFromView(seen, extent, bounds)};
-    traits.orthographic = camera.orthographic();
-    traits.camera = rangeOf(camera);
-    traits.scale.diagonal = bounds.diagonal();
-    if (anyOf(description.params, [](auto& p) { return isRelative(p) && p.value[2] > 0; })) {
-        const Result<double> distance = medianDistanceOf(scene, seen, extent, backend);
-        if (!distance) return distance.diagnostics();
-        traits.scale.distance = *distance;
-    }
-    std::vector<std::string> said;
-    for (ParamDesc& param : description.params) {
-        const auto value = param.value;
-        if (!isRelative(param)) continue;
-        param.value = sceneUnits(param, traits, extent.height);
-        said.push_back(param.name + " " +
-                       (value[1] > 0 ? shortest(value[1]) + " % of the scene"
-                                     : shortest(value[2]) + " pixels at the median depth " +
-                                           figure(rounded(traits.scale.distance))) +
-                       " = " + figure(rounded(param.value[0])));
-    }
-    return joined(said);
+    return inSceneUnits(description, camera, extent, bounds.diagonal(),
+                        [&] { return medianDistanceOf(scene, seen, extent, backend); });
+}
+
+Result<std::string> resolveLengths(Description& description, const HostPictures& pictures)
+{
+    return inSceneUnits(description, pictures.camera(), pictures.extent(), 0,
+                        [&]() -> Result<double> {
+                            if (const auto distance = pictures.medianDistance()) return *distance;
+                            return nothingToMeasure();
+                        });
 }
 
 }  // namespace crevice

@@ -3,6 +3,7 @@
 // radius is there.
 #pragma once
 
+#include "tools/render/host_pictures.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/options.h"
@@ -26,6 +27,7 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
 /// Pixels need the depth of the view, which a context of that backend then draws.
 ///
 /// Errors: those of openDevice and drawDepth; CV7008 for pixels where no surface is seen.
+Result<std::string> resolveLengths(Description& description, const HostPictures& pictures);
 Result<std::string> resolveLengths(Description& description, const Scene& scene,
                                    const Bounds& bounds, const SceneCamera& seen, Extent extent,
                                    const std::string& backend = {});

@@ -24,7 +24,16 @@ expect 0 'wrote' render learnopengl "${small[@]}" --out target.ao=raw.pfm --out 
     --out view_normal=normal.png --out depth=depth.pfm
 expect 5 'over' compare raw.pfm ao.pfm --max-rmse 0.0001
 
-# Intensity 0 leaves the whole AO chain out; the constant still fills the picture.
+# Another engine's depth, of any projection, is as good as its mesh.
+view='fov=50;near=0.1;far=30'
+expect 0 'wrote' render mobile "${small[@]}" --camera "eye=2,1.5,3;at=0,0.5,0;$view" --set guard_band=1 --out ao=mesh.pfm \
+    --out target.depth=depth.exr --out view_depth=bytes.png
+expect 0 'wrote own.pfm' render mobile --import depth=depth.exr --projection "$view" --set radius=0.5 \
+    --backend "$backend" --out ao=own.pfm
+expect 0 'rmse' compare own.pfm mesh.pfm --max-rmse 0.01
+expect 0 'radius 40 pixels' render mobile --import depth=depth.exr --projection "$view" --backend "$backend"
+expect 1 'CV7005.*8 bits' render mobile --import depth=bytes.png --projection "$view" --backend "$backend"
+
 # A path's last frame is the picture without one; all of its frames are there, and no others.
 expect 0 'wrote path_%02d.pfm' render gtao "${small[@]}" --path pan --frames 3 --out ao=path_%02d.pfm
 check "a path writes as many frames as asked for" test "$(echo path_*.pfm)" = 'path_00.pfm path_01.pfm path_02.pfm'

@@ -200,12 +200,12 @@ void addDisableOption(CLI::App& app, std::vector<std::string>& disable)
 }
 
 Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources,
-                                    bool file_scene)
+                                    bool fits, const char* length)
 {
     const Result<Node> document = loadConfig(sources, requestOf(options));
     if (!document) return document.diagnostics();
     Result<Description> description = decode(*document, sources, options.limits);
-    if (description && file_scene) fitLengths(*description, *document);
+    if (description && fits) fitLengths(*description, *document, length);
     return description;
 }
 
@@ -216,7 +216,7 @@ Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceS
     if (!document) return document.diagnostics();
     Result<Description> description = decode(*document, sources, options.limits);
     if (!description) return description.diagnostics();
-    if (file_scene) fitLengths(*description, *document);
+    if (file_scene) fitLengths(*description, *document, kShareOfScene);
     ContentHash hash;
     addNode(hash, *document);
     for (const auto& [path, source] : description->files) {

@@ -14,6 +14,9 @@ class Option;
 
 namespace crevice {
 
+/// The radius of a scene whose units nobody knows: two thirds of what 0.5 is of the scene 'room'.
+constexpr const char* kShareOfScene = "5%";
+
 struct ConfigOptions {
     std::string config;                   ///< A shipped config's name or a file.
     std::string variant;                  ///< --variant
@@ -57,10 +60,10 @@ void addRootOption(CLI::App& app, std::vector<std::string>& roots);
 /// Adds --disable: optimizations of <crevice/compile.h> that are switched off.
 void addDisableOption(CLI::App& app, std::vector<std::string>& disable);
 
-/// Loads, merges, decodes, and for a scene that is a file fits lengths (scene_lengths.h). Errors:
-/// those of loadConfig and decode.
+/// Loads, merges, decodes, and for what is no built-in scene fits lengths to `length`
+/// (scene_lengths.h). Errors: those of loadConfig and decode.
 Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources,
-                                    bool file_scene = false);
+                                    bool fits = false, const char* length = kShareOfScene);
 
 /// A config with its overrides in force.
 struct LoadedConfig {

@@ -195,10 +195,10 @@ Result<OutputRequest> parseOutputRequest(const std::string& text)
                           "write --out color=lit.png or --out ao=ao.pfm"};
     OutputRequest request{text.substr(0, equals), text.substr(equals + 1)};
     const std::string extension = lowerExtension(request.file);
-    if (extension != ".png" && extension != ".pfm")
+    if (extension != ".png" && extension != ".pfm" && extension != ".exr")
         return Diagnostic{Code::usage,
-                          "the file '" + request.file + "' of --out is neither .png nor .pfm",
-                          "PNG holds 8 bits a channel for looking at, PFM 32-bit floats"};
+                          "the file '" + request.file + "' of --out is none of .png, .pfm and .exr",
+                          "PNG holds 8 bits a channel for looking at, PFM and EXR 32-bit floats"};
     return request;
 }
 

@@ -90,7 +90,7 @@ double clockSeconds();
 /// file.
 struct OutputRequest {
     std::string name;
-    std::string file;  ///< Ends in .png or .pfm.
+    std::string file;  ///< Ends in .png, .pfm or .exr.
 };
 
 /// Reads "color=lit.png". Errors: CV8001 where the '=' or either side is missing, or the file is

@@ -10,7 +10,7 @@
 
 namespace crevice {
 
-void fitLengths(Description& description, const Node& document)
+void fitLengths(Description& description, const Node& document, const char* length)
 {
     const auto own = [&](const std::string& pointer) {
         const Node* value = table::locate(document, pointer).node;
@@ -22,7 +22,7 @@ void fitLengths(Description& description, const Node& document)
         bool set = own("/params/" + param.name + "/default");
         for (const auto& path : levelPaths(document, param.name))
             set = set || own("/" + joined(path, "/"));
-        if (isLength(param) && !set) takeLength("5%", param.value);
+        if (isLength(param) && !set) takeLength(length, param.value);
     }
 }
 

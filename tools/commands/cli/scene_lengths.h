@@ -6,8 +6,8 @@
 
 namespace crevice {
 
-/// Makes lengths that only files as shipped set 5% of the scene: two thirds of what 0.5 is of the
-/// scene 'room'. `document` is the description's.
-void fitLengths(Description& description, const Node& document);
+/// Makes lengths that only files as shipped set `length`, such as "5%". `document` is the
+/// description's.
+void fitLengths(Description& description, const Node& document, const char* length);
 
 }  // namespace crevice

@@ -2,6 +2,8 @@
 // PNG through stb, PFM by hand, and writing that never leaves half a file.
 #include "tools/render/image/image_file.h"
 
+#include "tools/render/image/exr.h"
+
 #include "core/base/files.h"
 #include "core/base/text.h"
 
@@ -190,6 +192,18 @@ Result<Image> decodeByStb(std::string_view bytes, const std::string& name, doubl
     return imageFromRows(rows.get(), extent, channels);
 }
 
+Result<Image> decodeExrFile(std::string_view bytes, const std::string& name, double most_pixels)
+{
+    const ExrInfo info = exrInfo(bytes);
+    if (!info.failure.empty()) return brokenImage(name, info.failure);
+    if (const Status fits = checkImageSize(name, info.extent, info.channels, most_pixels); !fits)
+        return fits.diagnostics();
+    Result<Image> image = decodeExr(bytes, info);
+    return image ? std::move(image)
+                 : brokenImage(name, image.diagnostics().front().message,
+                               "channels are to be one, or R, G, B and perhaps A");
+}
+
 bool isWebp(std::string_view bytes)
 {
     return bytes.size() > 12 && bytes.substr(0, 4) == "RIFF" && bytes.substr(8, 4) == "WEBP";
@@ -310,10 +324,14 @@ Status writePfm(const std::string& path, const Image& image)
 Status writeImage(const std::string& path, const Image& image)
 {
     const std::string extension = lowerExtension(path);
+    if (extension == ".exr") {
+        Status status = checkPixels(path, image);
+        return status ? writeFile(path, exrBytes(image)) : status;
+    }
     if (extension == ".png") return writePng(path, image);
     if (extension == ".pfm") return writePfm(path, image);
     return Diagnostic{Code::usage, "'" + path + "' names no kind of image that can be written",
-                      "end the name in .png for a picture, in .pfm for floats"};
+                      "end the name in .png for a picture, in .pfm or .exr for floats"};
 }
 
 Result<Image> readImage(const std::string& path, double most_pixels)
@@ -330,6 +348,7 @@ Result<Image> decodeImage(std::string_view bytes, const std::string& name, doubl
 {
     if (bytes.empty()) return brokenImage(name, "it is empty");
     if (isPfm(bytes)) return decodePfm(bytes, name);
+    if (isExr(bytes)) return decodeExrFile(bytes, name, most_pixels);
     if (bytes.substr(1, 3) == "KTX")
         return brokenImage(name, "KTX textures are not read",
                            "convert it: 'gltf-transform ktxdecompress in.glb out.glb'");

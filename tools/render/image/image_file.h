@@ -39,11 +39,11 @@ std::string pfmBytes(const Image& image);
 /// ".png" of "a/B.PNG"; empty where there is none.
 std::string lowerExtension(const std::string& path);
 
-/// By extension: ".png" or ".pfm".
+/// By extension: ".png", ".pfm" or ".exr".
 /// Errors: CV8001 for another extension, and those of the two above.
 Status writeImage(const std::string& path, const Image& image);
 
-/// Any file that stb_image reads (PNG, JPEG, TGA, BMP ...), or WebP, with values from 0 to 1 as
+/// Any file that stb_image reads (PNG, JPEG, TGA, BMP ...), EXR or WebP, with values from 0 to 1 as
 /// they were stored, or a PFM. Channels are those of the file. Errors: CV7005 when it is missing,
 /// broken or of more than `most_pixels`.
 Result<Image> readImage(const std::string& path, double most_pixels = 1e12);

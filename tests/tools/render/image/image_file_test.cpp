@@ -104,18 +104,24 @@ TEST_CASE("a PNG clamps, and warns of what is not a number")
     }
 }
 
-TEST_CASE("a PFM keeps every bit, also of what is not a number")
+TEST_CASE("PFM and EXR keep every bit, also of what is not a number")
 {
-    const TemporaryFolder folder("image_pfm");
-    const std::string path = (folder.path / "a.pfm").string();
-    Image image({3, 2}, 1);
-    image.pixels = {1e-30f, -0.0f, 3.14159274f, kInfinity, 65504.0f, kNan};
-    REQUIRE(writePfm(path, image).ok());
-    const Image read = need(readImage(path));
-    CHECK(read.extent == image.extent);
-    CHECK(std::memcmp(read.pixels.data(), image.pixels.data(), 6 * sizeof(float)) == 0);
-    REQUIRE(writePfm(path, gradient({3, 2}, 4)).ok());
-    CHECK(readImage(path)->channels == 3);
+    const TemporaryFolder folder("image_floats");
+    for (const auto& [name, channels] : {std::pair("a.pfm", 3), {"a.exr", 4}}) {
+        const std::string path = (folder.path / name).string();
+        Image image({3, 2}, 1);
+        image.pixels = {1e-30f, -0.0f, 3.14159274f, kInfinity, 65504.0f, kNan};
+        REQUIRE(writeImage(path, image).ok());
+        const Image read = need(readImage(path));
+        CHECK(read.extent == image.extent);
+        CHECK(std::memcmp(read.pixels.data(), image.pixels.data(), 6 * sizeof(float)) == 0);
+        const Image colors = gradient({3, 2}, 4);
+        REQUIRE(writeImage(path, colors).ok());
+        const Image back = need(readImage(path));
+        REQUIRE(back.channels == channels);
+        for (int channel = 0; channel < channels; ++channel)
+            CHECK(back.at(2, 1, channel) == colors.at(2, 1, channel));
+    }
 }
 
 TEST_CASE("an image that cannot be read is reported with its name")
