@@ -50,7 +50,7 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
 void addSceneOption(CLI::App& app, std::string& scene)
 {
     app.add_option("--scene", scene,
-                   "A file (glTF 2.0, OBJ, PLY, STL, 3DS) or a built-in scene: " +
+                   "A file (glTF 2.0, OBJ, FBX, PLY, STL, 3DS) or a built-in scene: " +
                        joined(builtinSceneNames()))
         ->type_name("FILE|NAME")
         ->capture_default_str();

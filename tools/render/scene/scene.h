@@ -128,7 +128,7 @@ enum class Up { guess, y, z };
 
 /// What reading a file may do, and how it is taken.
 struct ImportOptions {
-    /// Every format that Assimp knows, and not glTF 2.0, OBJ, PLY, STL and 3DS alone.
+    /// Every format that Assimp knows, and not glTF 2.0, OBJ, FBX, PLY, STL and 3DS alone.
     bool any_format = false;
     double time_s = 0;  ///< At most; 0 leaves 3 s and another for each MiB of the file.
     /// Folders beside the file's own, files below which it may name.
@@ -138,7 +138,7 @@ struct ImportOptions {
     bool blended_solid = false;  ///< Surfaces that are seen through stay, as others.
 };
 
-/// A built-in scene or a file: glTF 2.0, OBJ, PLY, STL, 3DS. A name without a
+/// A built-in scene or a file: glTF 2.0, OBJ, FBX, PLY, STL, 3DS. A name without a
 /// folder and an extension is a built-in one. What is left out (broken triangles, textures that
 /// cannot be read, what glTF has and crevice does not draw) is reported in warnings. A file without
 /// lights gets one, so that it can be seen.

@@ -14,10 +14,12 @@ class SceneFolder;
 class SceneTextures;
 
 /// What a message may suggest instead of a file that cannot be read.
-constexpr const char* kSceneFormats = "scenes are glTF 2.0 (.gltf, .glb), OBJ, PLY, STL or 3DS";
+constexpr const char* kSceneFormats =
+    "scenes are glTF 2.0 (.gltf, .glb), OBJ, FBX, PLY, STL or 3DS";
 
 /// Without the dot, as Assimp writes them. Its readers of other formats are older and less tried.
-inline const std::vector<std::string> kDefaultFormats = {"gltf", "glb", "obj", "ply", "stl", "3ds"};
+inline const std::vector<std::string> kDefaultFormats = {"gltf", "glb", "obj", "fbx",
+                                                         "ply",  "stl", "3ds"};
 
 /// Whether the file's extension is that of a format that is read unless any is asked for.
 bool isDefaultFormat(const std::string& path);

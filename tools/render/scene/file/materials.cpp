@@ -83,7 +83,7 @@ SceneMaterial materialFrom(const aiMaterial& from)
 
     float opacity = 1.0f;
     from.Get(AI_MATKEY_OPACITY, opacity);
-    material.blended = finiteOr(opacity, 1.0f) < kOpaque;
+    material.blended = opacity > 0 && opacity < kOpaque;  // 0 is how exporters get it wrong
     return material;
 }
 
