@@ -142,9 +142,12 @@ std::array<float, 4> sceneUnits(const ParamDesc& param, const SceneTraits& trait
         return count == 0 ? 0 : length > 0 ? count * length : NAN;
     };
     const double distance = traits.orthographic ? 1 : traits.scale.distance;
+    const double pixel = 2 * distance / (traits.camera.zoom * height);
     const double sum = param.value[0] + part(param.value[1], traits.scale.diagonal / 100) +
-                       part(param.value[2], 2 * distance / (traits.camera.zoom * height));
-    return {static_cast<float>(std::clamp(sum, param.min, param.max))};
+                       part(param.value[2], pixel);
+    const double most = part(param.value[3], pixel * height / 100);
+    return {
+        static_cast<float>(std::clamp(most > 0 ? std::min(sum, most) : sum, param.min, param.max))};
 }
 
 void applyLevel(Description& description, std::string_view feature)

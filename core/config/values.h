@@ -32,7 +32,8 @@ constexpr const char* kLengthForms =
 bool takeLength(std::string_view text, std::array<float, 4>& value);
 
 /// The param's value, in scene units and its range where it is relative: NaN where the scale of the
-/// scene is not known. `height` is the view's, in pixels.
+/// scene is not known. A fourth number is the most percent of the view's height that it may be,
+/// where its distance is known. `height` is the view's, in pixels.
 std::array<float, 4> sceneUnits(const ParamDesc& param, const SceneTraits& traits, int height);
 
 /// Gives params and features the values that the present word of a feature sets, if it sets any.

@@ -101,16 +101,17 @@ Result<std::string> inSceneUnits(Description& description, const Camera& camera,
         if (percent > 0 && diagonal == 0)
             return Diagnostic{Code::usage, param.name + " is a share of a scene, and there is none",
                               "give it in pixels, as 40px, or in the units of the depth"};
-        if (pixels > 0) {
-            const Result<double> seen = distance();
-            if (!seen) return seen.diagnostics();
-            traits.scale.distance = *seen;
-        }
+        const bool limited = param.value[3] > 0;
+        const Result<double> seen = pixels > 0 || limited ? distance() : 0.0;
+        if (!seen && !limited) return seen.diagnostics();
+        if (seen) traits.scale.distance = *seen;
         param.value = sceneUnits(param, traits, extent.height);
+        const bool less = param.value[0] < 0.01 * percent * diagonal * (1 - 1e-6);
+        const std::string at = " at the median depth " + figure(rounded(traits.scale.distance));
         said.push_back(param.name + " " +
-                       (percent > 0 ? figure(percent) + " % of the scene"
-                                    : figure(pixels) + " pixels at the median depth " +
-                                          figure(rounded(traits.scale.distance))) +
+                       (less          ? "8 % of the view's height" + at
+                        : percent > 0 ? figure(percent) + " % of the scene"
+                                      : figure(pixels) + " pixels" + at) +
                        " = " + figure(rounded(param.value[0])));
     }
     return joined(said);

@@ -22,7 +22,9 @@ void fitLengths(Description& description, const Node& document, const char* leng
         bool set = own("/params/" + param.name + "/default");
         for (const auto& path : levelPaths(document, param.name))
             set = set || own("/" + joined(path, "/"));
-        if (isLength(param) && !set) takeLength(length, param.value);
+        if (!isLength(param) || set) continue;
+        takeLength(length, param.value);
+        param.value[3] = 8;
     }
 }
 

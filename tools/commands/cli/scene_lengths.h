@@ -6,8 +6,9 @@
 
 namespace crevice {
 
-/// Makes lengths that only files as shipped set `length`, such as "5%". `document` is the
-/// description's.
+/// Makes lengths that only files as shipped set `length`, such as "5%", and at most 8 % of the
+/// view's height at its median depth: who stands in a city does not see all of it. `document` is
+/// the description's.
 void fitLengths(Description& description, const Node& document, const char* length);
 
 }  // namespace crevice
