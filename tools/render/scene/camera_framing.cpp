@@ -5,6 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace crevice {
@@ -180,6 +181,30 @@ Result<SceneCamera> parseCamera(const std::string& text, const Bounds& bounds)
     return cameraOf(text, camera, bounds);
 }
 
+// Whether the box of some mesh reaches into the view: no side of the view has all of it beyond.
+bool mayShow(const SceneCamera& camera, const Scene& scene, const Bounds& bounds, double aspect)
+{
+    const Extent extent = {static_cast<int>(std::lround(1000 * aspect)), 1000};
+    const glm::dmat4 clip_from_world =
+        glm::dmat4(clipFromView(camera, extent, bounds)) * camera.view_from_world;
+    std::vector<Bounds> boxes;
+    for (const MeshDesc& mesh : scene.meshes) boxes.push_back(MeshCorners(mesh).box);
+    const auto reaches = [&](const SceneInstance& each) {
+        const Bounds& box = boxes[each.mesh];
+        int beyond[6] = {};
+        for (int k = 0; k < 8 && !box.empty(); ++k) {
+            const glm::dvec4 at = clip_from_world * glm::dvec4(each.place(box.corner(k)), 1.0);
+            for (int axis = 0; axis < 3; ++axis) {
+                beyond[2 * axis] += at[axis] > at.w;
+                beyond[2 * axis + 1] += at[axis] < -at.w;
+            }
+        }
+        return !box.empty() && std::find(beyond, beyond + 6, 8) == beyond + 6;
+    };
+    return scene.instances.empty() ||
+           std::any_of(scene.instances.begin(), scene.instances.end(), reaches);
+}
+
 }  // namespace
 
 SceneCamera frameScene(const Scene& scene, double aspect)
@@ -205,8 +230,11 @@ SceneCamera frameScene(const Scene& scene, double aspect)
 Result<SceneCamera> chooseCamera(const Scene& scene, const Bounds& bounds, const std::string& text,
                                  double aspect)
 {
-    if (text.empty())
-        return scene.cameras.empty() ? frameScene(scene, aspect) : scene.cameras.front();
+    if (text.empty()) {
+        for (const SceneCamera& camera : scene.cameras)
+            if (mayShow(camera, scene, bounds, aspect)) return camera;
+        return frameScene(scene, aspect);
+    }
     std::vector<std::string> names;
     for (const SceneCamera& camera : scene.cameras) {
         if (camera.name == text) return camera;

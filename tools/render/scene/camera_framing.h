@@ -11,7 +11,7 @@ namespace crevice {
 SceneCamera frameScene(const Scene& scene, double aspect);
 
 /// What `--camera TEXT` asks for:
-///   ""      the scene's first camera, or `frameScene` when it has none
+///   ""      the scene's first camera in whose view a mesh may be, or `frameScene` without one
 ///   "NAME"  the scene's camera of that name
 ///   "eye=4,2,6;at=0,1,0;up=0,1,0;fov=50;near=0.1;far=100"
 ///           a view of one's own: `fov` is vertical and in degrees (default 50), or `ortho=3` is

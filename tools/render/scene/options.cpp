@@ -61,7 +61,8 @@ void addCameraOption(CLI::App& app, std::string& camera)
     app.add_option("--camera", camera,
                    "The name of one of the scene's cameras, or eye=X,Y,Z and, as wanted, ;at=X,Y,Z "
                    ";up=X,Y,Z ;fov=DEGREES or ;ortho=HEIGHT ;shift=X,Y (off-centre, in pictures) "
-                   ";near=D ;far=D. Default: the scene's first camera, or one that frames it")
+                   ";near=D ;far=D. Default: the scene's first camera that may see a mesh, or one "
+                   "that frames it")
         ->type_name("CAMERA");
 }
 

@@ -5,6 +5,8 @@
 #include "tests/support/need.h"
 #include "tools/render/scene/mesh_shapes.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <cmath>
 
 using namespace crevice;
@@ -60,6 +62,20 @@ Bounds clipBounds(const Scene& scene, const SceneCamera& camera, Extent extent)
 }
 
 }  // namespace
+
+TEST_CASE("a scene's own camera is taken unless it looks away from all of it")
+{
+    Scene scene = boxScene({-1, 0, -2}, {3, 2, 5});
+    scene.cameras = {SceneCamera(), SceneCamera()};
+    scene.cameras[0].name = "away";
+    scene.cameras[1].name = "towards";
+    scene.cameras[0].view_from_world = glm::lookAt(glm::dvec3(50, 1, 0), {99, 1, 0}, {0, 1, 0});
+    scene.cameras[1].view_from_world = glm::lookAt(glm::dvec3(50, 1, 0), {0, 1, 0}, {0, 1, 0});
+    const auto chosen = [&] { return need(chooseCamera(scene, scene.bounds(), "", 1.5)).name; };
+    CHECK(chosen() == "towards");
+    scene.cameras.pop_back();
+    CHECK(chosen() == "framing");
+}
 
 TEST_CASE("a framed scene is seen whole from above, at any shape of it and the picture")
 {
