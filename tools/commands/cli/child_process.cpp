@@ -10,7 +10,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -18,9 +17,8 @@
 
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
-
-extern char** environ;
 
 namespace crevice {
 namespace {
@@ -126,40 +124,6 @@ int waitFor(pid_t process)
     return status;
 }
 
-/// This process's variables, but for those that `variables` sets, and these.
-std::vector<std::string> environmentWith(const std::vector<std::string>& variables)
-{
-    const auto nameOf = [](const std::string& text) { return text.substr(0, text.find('=') + 1); };
-    std::vector<std::string> all = variables;
-    for (char** each = environ; *each; ++each) {
-        const std::string name = nameOf(*each);
-        if (!anyOf(variables, [&](const std::string& set) { return nameOf(set) == name; }))
-            all.push_back(*each);
-    }
-    return all;
-}
-
-/// Starts the program, whose descriptors 0, 1 and 2 these become. The error number, or 0.
-int start(const std::string& path, const std::vector<std::string>& variables, int input, int output,
-          pid_t& process)
-{
-    std::vector<std::string> environment = environmentWith(variables);
-    std::vector<char*> pointers;
-    for (std::string& each : environment) pointers.push_back(each.data());
-    pointers.push_back(nullptr);
-    std::string name = path;
-    char* arguments[] = {name.data(), nullptr};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
-    const int error =
-        posix_spawn(&process, path.c_str(), &actions, nullptr, arguments, pointers.data());
-    posix_spawn_file_actions_destroy(&actions);
-    return error;
-}
-
 }  // namespace
 
 // The time of the processor also ends a child whose parent is gone.
@@ -224,10 +188,17 @@ ProgramRun runProgram(const std::string& path, const std::vector<std::string>& v
     }
     const File out(ends[0]);
     File in(ends[1]);
-    pid_t process = -1;
-    if (const int error = start(path, variables, text.number(), in.number(), process)) {
-        run.failure = std::string("it cannot be started: ") + std::strerror(error);
+    const pid_t process = access(path.c_str(), X_OK) == 0 ? fork() : -1;
+    if (process < 0) {
+        run.failure = std::string("it cannot be started: ") + std::strerror(errno);
         return run;
+    }
+    if (process == 0) {
+        dup2(text.number(), STDIN_FILENO);
+        for (const int file : {STDOUT_FILENO, STDERR_FILENO}) dup2(in.number(), file);
+        for (const std::string& each : variables) putenv(const_cast<char*>(each.c_str()));
+        execl(path.c_str(), path.c_str(), static_cast<char*>(nullptr));
+        _exit(1);
     }
     in.close();
     const bool in_time = readAll(out.number(), time_s, UINT64_MAX, run.output) == ChildEnd::done;
