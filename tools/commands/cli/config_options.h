@@ -45,14 +45,11 @@ CLI::Option* addText(CLI::App& app, const char* name, std::string& value, const 
 CLI::Option* addList(CLI::App& app, const char* name, std::vector<std::string>& values,
                      const char* kind, const std::string& about);
 
-/// Adds --variant alone.
-void addVariantOption(CLI::App& app, std::string& variant);
-
 /// Adds --host-depth, which lays a module over configs: "+geometry/host_depth".
 void addHostDepthOption(CLI::App& app, std::vector<std::string>& overrides);
 
-/// Adds --effects alone.
-void addCheckoutOption(CLI::App& app, std::string& checkout);
+void addVariantOption(CLI::App& app, std::string& variant);    ///< --variant
+void addCheckoutOption(CLI::App& app, std::string& checkout);  ///< --effects
 
 /// Adds --root alone; added twice, for a config and a scene, it is one option that fills both.
 void addRootOption(CLI::App& app, std::vector<std::string>& roots);

@@ -38,14 +38,9 @@ struct OpenDevice {
     std::unique_ptr<Device> device;
 };
 
-/// Adds --backend.
-void addBackendOption(CLI::App& app, std::string& backend);
-
-/// Adds --precision.
-void addPrecisionOption(CLI::App& app, std::string& precision);
-
-/// Adds --program-cache.
-void addProgramCacheOption(CLI::App& app, std::string& folder);
+void addBackendOption(CLI::App& app, std::string& backend);      ///< --backend
+void addPrecisionOption(CLI::App& app, std::string& precision);  ///< --precision
+void addProgramCacheOption(CLI::App& app, std::string& folder);  ///< --program-cache
 
 /// "egl", "osmesa", or "" for the first of these that works, with a warning where that is not EGL.
 /// With a precision of "full" or "half" the device is that of makeMediumpDevice; "" leaves mediump

@@ -21,14 +21,9 @@ struct SceneOptions {
 /// What reading a scene's file may do.
 void addImportOptions(CLI::App& app, ImportOptions& options);
 
-/// Adds --scene alone.
-void addSceneOption(CLI::App& app, std::string& scene);
-
-/// Adds --camera alone.
-void addCameraOption(CLI::App& app, std::string& camera);
-
-/// Adds --scene, --size, --camera and what reading a file may do.
-void addSceneOptions(CLI::App& app, SceneOptions& options);
+void addSceneOption(CLI::App& app, std::string& scene);      ///< --scene
+void addCameraOption(CLI::App& app, std::string& camera);    ///< --camera
+void addSceneOptions(CLI::App& app, SceneOptions& options);  ///< Both, --size and the import's.
 
 /// Reads "960x540". Errors: CV4005 for anything but two whole numbers of at least 1.
 Result<Extent> parseSize(const std::string& text);
