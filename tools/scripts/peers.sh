@@ -5,7 +5,7 @@
 # and stay in FOLDER: none of them is part of this project, each has its own licence.
 #
 #   tools/scripts/peers.sh [FOLDER]     default: peers/ in the cache of crevice, ~/.cache/crevice/peers
-#   crevice bench --peers FOLDER        measures them, too
+#   crevice bench --config FOLDER/NAME.json    measures one of them
 #
 # Needs node 20 and npm. What npm fetches is kept in FOLDER/npm.
 set -euo pipefail
