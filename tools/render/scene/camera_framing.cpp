@@ -15,8 +15,11 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kDefaultFov = 50.0;  // degrees, vertical
 
-// Towards the eye: from the right, from above, mostly from the front.
-const glm::dvec3 kThreeQuarter = {0.55, 0.45, 1.0};
+// What frames the scene, and from which side.
+const std::pair<const char*, glm::dvec3> kFrames[] = {
+    {"frame", kThreeQuarter},   {"frame=iso", kThreeQuarter}, {"frame=front", {0, 0, 1}},
+    {"frame=back", {0, 0, -1}}, {"frame=left", {-1, 0, 0}},   {"frame=right", {1, 0, 0}},
+    {"frame=top", {0, 1, 0}}};
 
 constexpr double kFramingFov = 35.0;  // degrees: less would flatten, more would bend what is near
 constexpr double kMargin = 1.05;      // of free room around the framed scene
@@ -207,12 +210,12 @@ bool mayShow(const SceneCamera& camera, const Scene& scene, const Bounds& bounds
 
 }  // namespace
 
-SceneCamera frameScene(const Scene& scene, double aspect)
+SceneCamera frameScene(const Scene& scene, double aspect, const glm::dvec3& side)
 {
     SceneCamera camera;
     camera.name = "framing";
     camera.fov_y_rad = kFramingFov * kDegree;
-    const glm::dvec3 towards_eye = glm::normalize(kThreeQuarter);
+    const glm::dvec3 towards_eye = glm::normalize(side);
     const glm::dmat3 turned_from_world = lookAt(towards_eye, glm::dvec3(0.0), {0, 1, 0});
     const double tan_y = std::tan(camera.fov_y_rad / 2.0) / kMargin;
     SeenCorners seen = {turned_from_world, {tan_y * aspect}, {tan_y}};
@@ -240,7 +243,12 @@ Result<SceneCamera> chooseCamera(const Scene& scene, const Bounds& bounds, const
         if (camera.name == text) return camera;
         names.push_back(camera.name);
     }
-    if (text.find('=') != std::string::npos) return parseCamera(text, bounds);
+    for (const auto& [name, side] : kFrames) {
+        if (text == name) return frameScene(scene, aspect, side);
+        names.emplace_back(name);
+    }
+    if (text.find('=') != std::string::npos && !startsWith(text, "frame="))
+        return parseCamera(text, bounds);
     return Diagnostic{
         Code::camera_missing, "the scene '" + scene.name + "' has no camera '" + text + "'",
         suggestName(text, names, "cameras") + "; or write --camera 'eye=4,2,6;at=0,1,0;fov=50'"};

@@ -123,6 +123,32 @@ TEST_CASE("a camera is chosen by its name; without one the first is taken, or th
     CHECK(suggests(choose("balcon"), "'balcony'"));
 }
 
+TEST_CASE("a scene can be framed from any side, whatever cameras it has")
+{
+    Scene scene = boxScene({-1, 0, -2}, {3, 2, 5});
+    scene.cameras.resize(1);
+    const glm::dvec3 iso = eyeOf(frameScene(scene, 1.5)) - kBox.center();
+    const std::pair<const char*, glm::dvec3> cases[] = {{"frame", iso},
+                                                        {"frame=iso", iso},
+                                                        {"frame=front", {0, 0, 1}},
+                                                        {"frame=back", {0, 0, -1}},
+                                                        {"frame=left", {-1, 0, 0}},
+                                                        {"frame=right", {1, 0, 0}},
+                                                        {"frame=top", {0, 1, 0}}};
+    for (const auto& [text, towards_eye] : cases) {
+        INFO(text);
+        const SceneCamera camera = need(chooseCamera(scene, kBox, text, 1.5));
+        const glm::dvec3 eye = eyeOf(camera) - kBox.center();
+        CHECK(glm::dot(glm::normalize(eye), glm::normalize(towards_eye)) == Approx(1));
+        const Bounds reached = clipBounds(scene, camera, {15, 10});
+        REQUIRE_FALSE(reached.empty());
+        CHECK(std::max(reached.max.x, reached.max.y) > 0.8);
+        CHECK(std::max(reached.max.x, reached.max.y) < 1);
+    }
+    CHECK(choose("frame=above").diagnostics()[0].code == Code::camera_missing);
+    CHECK(suggests(choose("frame=above"), "frame=back, frame=front, frame=iso"));
+}
+
 TEST_CASE("a camera is read from text, and needs no more than an eye")
 {
     const SceneCamera camera = need(choose("eye=4,2,6;at=0,1,0;up=0,0,1;fov=35;near=0.5;far=20"));
