@@ -101,6 +101,8 @@ void fields(V& v, FeatureDesc& f)
     v.field("sets", f.sets,
             "By word, values that it gives params and other features: a level of quality. What one "
             "word sets has its default at the others.");
+    v.field("label", f.label, "The name in a user interface; the key when absent.");
+    v.field("tooltip", f.tooltip, "One sentence: what it does, and what it costs.");
 }
 
 template <class V>

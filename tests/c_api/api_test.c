@@ -245,6 +245,7 @@ static void check_patch(crevice_device* device)
         if (strcmp(feature.name, "quality") == 0) break;
     }
     CHECK(strcmp(feature.name, "quality") == 0 && feature.word_count > 2 && !feature.boolean);
+    CHECK(strcmp(feature.label, "Quality") == 0 && feature.tooltip[0]);
     const int last = feature.word_count - 1;
     const int other = feature.word == last ? 0 : last;
     EXPECT(0, crevice_effect_set_feature(effect, "quality", feature.words[other]));

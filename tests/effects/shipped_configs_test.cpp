@@ -190,6 +190,21 @@ TEST_CASE("Every config says what it is in 25 lines or fewer, and every param wh
     }
 }
 
+TEST_CASE("Every feature that a shipped file declares says what it is called and does")
+{
+    for (const std::string& path : shippedSources().list()) {
+        if (!endsWith(path, ".json")) continue;
+        const Node document = need(parseDocument(shippedSources().find(path)));
+        const Node* features = document.find("features");
+        for (const Member& feature : features ? features->members : std::vector<Member>()) {
+            if (!feature.value.find("type")) continue;  // a default of another file's
+            INFO(path << " " << feature.key);
+            CHECK(feature.value.find("label"));
+            CHECK(feature.value.find("tooltip"));
+        }
+    }
+}
+
 TEST_CASE("Shipped configs with the least and the most of every count fit, or lack uniforms alone")
 {
     for (const Subject& subject : subjects()) {

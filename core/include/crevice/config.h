@@ -71,6 +71,8 @@ struct FeatureDesc : Named {
     std::vector<std::string> values;  ///< "false", "true" for a bool.
     bool boolean = false;
     int value = 0;                 ///< Index of the default.
+    std::string label = {};        ///< For a user interface; the name when empty.
+    std::string tooltip = {};      ///< One sentence: what it does, and what it costs.
     std::vector<Level> sets = {};  ///< One for each word, or none.
 };
 

@@ -132,6 +132,8 @@ void fill(const FeatureDesc& from, const std::vector<const char*>& words, crevic
     to.words = words.data();
     to.word_count = static_cast<int>(words.size());
     to.default_word = from.value;
+    to.label = from.label.empty() ? to.name : from.label.c_str();
+    to.tooltip = from.tooltip.c_str();
 }
 
 }  // namespace

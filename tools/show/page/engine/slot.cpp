@@ -103,7 +103,9 @@ Json featureJson(const FeatureDesc& feature, const Description& text, const Desc
             {"value", word(feature)},
             {"initial", valueIn(text.features, feature.name, word)},
             {"shipped", valueIn(shipped.features, feature.name, word)},
-            {"sets", !feature.sets.empty()}};
+            {"sets", !feature.sets.empty()},
+            {"label", feature.label},
+            {"tooltip", feature.tooltip}};
 }
 
 /// All that passes write.

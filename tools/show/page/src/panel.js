@@ -2,7 +2,7 @@
 // The panel: variants, features and params of config A, made of its state alone.
 import {$, add, fillSelect} from "./dom.js";
 import {costText} from "./knobs.js";
-import {Param} from "./param.js";
+import {Param, buildTip} from "./param.js";
 import {same} from "./scale.js";
 
 const NO_GROUP = "Other", FIRST = ["intensity", "radius"];  // the last of them first
@@ -22,7 +22,7 @@ export class Panel {
     const {app} = this, shape = JSON.stringify([
       state.config, state.description, state.variants, app.engine.scene?.diagonal,
       state.params.map(p => [p.name, p.type, p.min, p.max, p.soft_max, p.step, p.unit, p.label, p.group, p.bind]),
-      state.features.map(f => [f.name, f.values, f.boolean])
+      state.features.map(f => [f.name, f.values, f.boolean, f.label])
     ]);
     if (anew || shape !== this.shape) this.build(state);
     this.shape = shape;
@@ -90,7 +90,8 @@ export class Panel {
         ? add(label, "input", {type: "checkbox", role: "switch", onchange: e => turn(String(e.target.checked))})
         : add(label, "select", {onchange: e => turn(e.target.value)});
       if (!feature.boolean) fillSelect(control, feature.values.map(value => ({value})), feature.value);
-      label.append(feature.name.replaceAll("_", " "));
+      label.append(feature.label || feature.name.replaceAll("_", " "));
+      buildTip(row, feature, "feature-" + feature.name);
       const reset = resetButton(row, feature.name, () => this.app.knobs.reset("feature", feature.name));
       this.features.push({feature, control, reset});
     }

@@ -23,18 +23,8 @@ export class Param {
     if (unit) add(head, "span", {class: "unit"}, unit);
     if (param.bind === "define")
       add(head, "span", {class: "badge", title: "Another value compiles shaders again."}, "compiles");
-    if (param.tooltip) this.buildTip(head);
+    buildTip(head, param, this.id);
     this.reset = resetButton(head, param.label || param.name, () => this.app.knobs.reset("param", param.name));
-  }
-  // Seen when the pointer is over it, when it has the focus, and after a tap.
-  buildTip(head) {
-    const id = this.id + "-tip", info = add(head, "button", {
-      type: "button", class: "info", "aria-label": `About ${this.param.label || this.param.name}`, "aria-describedby": id,
-      onclick: () => info.classList.toggle("open"),
-      onblur: () => info.classList.remove("open"),
-      onkeydown: e => e.key === "Escape" && info.blur()
-    }, "?");
-    add(head, "span", {class: "tip", role: "tooltip", id}, `${this.param.tooltip} (${this.param.name})`);
   }
 
   buildPart(i) {
@@ -76,6 +66,18 @@ export class Param {
       if (Number(field.value) !== Number(shown(value)) || field.value === "") field.value = shown(value);
     });
   }
+}
+
+// The tooltip of a param or feature, seen when the pointer is over it, when it has the focus, and after a tap.
+export function buildTip(head, {name, label, tooltip}, owner) {
+  if (!tooltip) return;
+  const id = owner + "-tip", info = add(head, "button", {
+    type: "button", class: "info", "aria-label": `About ${label || name}`, "aria-describedby": id,
+    onclick: () => info.classList.toggle("open"),
+    onblur: () => info.classList.remove("open"),
+    onkeydown: e => e.key === "Escape" && info.blur()
+  }, "?");
+  add(head, "span", {class: "tip", role: "tooltip", id}, `${tooltip} (${name})`);
 }
 
 const bound = x => Math.abs(x) >= 1e29 ? null : x;

@@ -663,8 +663,10 @@ typedef struct crevice_feature {
     bool boolean;              ///< Its words are "false" and "true".
     const char* const* words;  ///< What it may be set to.
     int word_count;
-    int default_word;  ///< Into `words`.
-    int word;          ///< As it is now.
+    int default_word;     ///< Into `words`.
+    int word;             ///< As it is now.
+    const char* label;    ///< For people; the name where it has none.
+    const char* tooltip;  ///< One sentence: what it does, and what it costs.
 } crevice_feature;
 
 /// How many there are, 0 of null; and one of them. Errors: CV6011 for an index past the last.
