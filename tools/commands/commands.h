@@ -22,5 +22,6 @@ void addCostCommand(CLI::App& app, int& exit_code);
 void addSchemaCommand(CLI::App& app, int& exit_code);
 void addStressCommand(CLI::App& app, int& exit_code);
 void addViewCommand(CLI::App& app, int& exit_code);
+void addLookCommands(CLI::App& app, int& exit_code);
 
 }  // namespace crevice

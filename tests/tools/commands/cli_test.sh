@@ -116,6 +116,29 @@ expect 1 "CV1206.*\\+MODULE" explain mobile --set +
 printf '%s' '{"format": 1, "extends": ["mobile", "geometry/host_depth"], "params": {"guard_band": 1.4}}' >banded.json
 expect 1 "banded.json:1:[0-9]+: error CV4004: param 'guard_band'" validate banded.json
 
+# --- inspect, list, params ---
+printf 'newmtl leaf\nmap_Ks x.png\n' >wall.mtl
+printf '%s\n' 'mtllib wall.mtl' 'v 0 0 0' 'v 6 0 0' 'v 6 8 0' 'v 0 8 0' 'usemtl leaf' 'f 1 2 3' 'f 1 3 4' >wall.obj
+expect 0 'triangles 2,' inspect wall.obj
+expect 0 '^surfaces +closed 0, open 1, sheets 0$' inspect wall.obj
+expect 0 'diagonal 10, unit metres' inspect wall.obj
+expect 0 'in colours without maps of highlights' inspect wall.obj
+printf '%s\n' 'f 3 2 1' 'f 4 3 1' >>wall.obj
+expect 0 '^surfaces +closed 0, open 0, sheets 1$' inspect wall.obj
+expect 0 '^surfaces +closed 3, open 1, sheets 0$' inspect spheres
+expect 0 '"kind": "point"' inspect spheres --json
+expect_json
+expect 1 'CV7001' inspect nowhere.obj
+expect 0 'ssao/hbao_plus +Horizon-based' list estimators
+expect 0 '^scenes \(5\) +corner' list
+expect 2 "did you mean 'filters'" list filtrs --json
+expect_json
+expect 0 '^  radius +Radius +5% +0.5 +scene units.*--set' params gtao --set radius=5%
+expect 0 '^  guard_band +Guard band +1.2 +1 .*configs/quality.json:[0-9]+' params quality --set quality=low
+expect 0 '^  background_color +Background +0 0 1 +0.6 0.68 0.78 ' params gtao --set 'background_color=[0, 0, 1]'
+expect 0 '"value": "tile"' params gtao --json
+expect_json
+
 # --- explain ---
 expect 0 'geometry' explain learnopengl
 expect 0 'digraph' explain learnopengl --format dot

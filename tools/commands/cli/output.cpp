@@ -61,6 +61,46 @@ bool isFramePlace(const std::string& pattern, std::size_t at)
            pattern[at + 2] <= '9' && pattern[at + 3] == 'd';
 }
 
+using Json = nlohmann::ordered_json;
+
+/// A value on one line.
+std::string cellOf(const Json& value)
+{
+    if (value.empty()) return "-";
+    if (value.is_boolean()) return value ? "yes" : "no";
+    if (value.is_string()) return printableLine(value.get<std::string>());
+    if (value.is_number_float()) return significant(value, 6);
+    if (!value.is_structured()) return value.dump();
+    std::vector<std::string> parts;
+    for (const auto& [name, each] : value.items())
+        parts.push_back((value.is_object() ? name + ' ' : "") + cellOf(each));
+    return joined(parts, value.is_array() && value[0].is_number() ? " " : ", ");
+}
+
+/// Cells below their keys, in columns.
+std::string tableOf(const Json& objects)
+{
+    std::map<std::string, std::size_t> widths;
+    for (const Json& each : objects)
+        for (const auto& [key, value] : each.items())
+            widths[key] = std::max({widths[key], key.size(), cellOf(value).size()});
+    std::string text;
+    const auto add = [&](const std::string& key, const std::string& cell) {
+        text += "  " + cell + std::string(widths[key] - cell.size(), ' ');
+    };
+    const auto endLine = [&text] { text = text.substr(0, text.find_last_not_of(' ') + 1) + '\n'; };
+    for (const auto& [key, value] : objects.front().items())
+        if (key != "help") add(key, key);
+    endLine();
+    for (const Json& each : objects) {
+        for (const auto& [key, value] : each.items())
+            if (key != "help") add(key, cellOf(value));
+        endLine();
+        if (each.contains("help")) text += "      " + cellOf(each["help"]) + '\n';
+    }
+    return text;
+}
+
 }  // namespace
 
 int exitCodeOf(const Diagnostics& diagnostics)
@@ -102,6 +142,16 @@ void printLines(const std::string& text) { put(stdout, text); }
 void printAsJson(const nlohmann::json& json)
 {
     put(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+}
+
+void printTables(const Json& json)
+{
+    for (const auto& [key, value] : json.items()) {
+        const bool list = value.is_array(), table = list && !value.empty() && value[0].is_object();
+        std::string head = key + (list ? " (" + std::to_string(value.size()) + ")" : "");
+        if (!table) head.resize(std::max<std::size_t>(head.size(), 14), ' ');
+        printLines(head + (table ? '\n' + tableOf(value) : "  " + cellOf(value) + '\n'));
+    }
 }
 
 void printMessage(const char* format, ...)

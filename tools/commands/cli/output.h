@@ -35,6 +35,9 @@ void printLines(const std::string& text);
 /// Prints JSON, indented.
 void printAsJson(const nlohmann::json& json);
 
+/// Prints JSON for people, a list of objects as a table with the "help" of each below it.
+void printTables(const nlohmann::ordered_json& json);
+
 /// As print, to stderr.
 [[gnu::format(printf, 1, 2)]] void printMessage(const char* format, ...);
 

@@ -13,6 +13,14 @@ namespace crevice {
 /// "corner", "plane", "room", "spheres", "street".
 const std::vector<std::string>& builtinSceneNames();
 
+/// A line on each.
+inline const std::map<std::string, std::string> kBuiltinScenes = {
+    {"corner", "A floor and a wall, whose occlusion is known"},
+    {"plane", "A floor alone, where nothing may occlude"},
+    {"room", "Furniture and the Stanford bunny in a room; needs Debian's glmark2-data"},
+    {"spheres", "Three spheres on a floor"},
+    {"street", "Houses, rails and leaves: thin and open surfaces, near and far"}};
+
 /// Whether a scene of that name is a file; "" is none.
 bool isFileScene(const std::string& scene);
 

@@ -128,6 +128,8 @@ std::vector<Place> placesOf(const Node& node)
     return places;
 }
 
+using Json = nlohmann::ordered_json;
+
 nlohmann::json jsonOf(const FoundValue& value)
 {
     nlohmann::json json = {{"pointer", value.pointer}, {"value", brief(*value.node)}};
@@ -143,7 +145,46 @@ nlohmann::json jsonOf(const FoundValue& value)
     return json;
 }
 
+/// Of a param or feature; `word` is a feature's where no file says its default.
+template <class Desc>
+Json settingJson(const Node& document, const Desc& its, const std::string& word, const Json& range)
+{
+    const std::string pointer = its.pointer + "/default";
+    const Result<FoundValue> own = findValue(document, pointer);
+    const auto found = document.find(its.name) ? own : findValue(document, its.name);
+    const Place& place = found ? found->node->place : its.place;
+    const SourceRef file = own ? placesOf(*own->node).back().source : nullptr;
+    const Result<Node> first = file ? parseDocument(file) : document;
+    const Result<FoundValue> declared = findValue(first ? *first : document, pointer);
+    Json json = {{"name", its.name}, {"label", its.label}};
+    json["value"] = found ? Json::parse(toJson(*found->node)) : Json(word);
+    json["default"] = declared ? Json::parse(toJson(*declared->node)) : Json(word);
+    json.update(range);
+    json["set_by"] = place.source ? placeName(place) : "the command line";
+    json["help"] = its.tooltip;
+    return json;
+}
+
 }  // namespace
+
+Result<Json> settingsJson(const SourceSet& sources, const LoadRequest& request)
+{
+    const Result<Node> document = loadConfig(sources, request);
+    if (!document) return document.diagnostics();
+    const Result<Description> description = decode(*document, sources, request.limits);
+    if (!description) return description.diagnostics();
+    Json all = {{"params", Json::array()}, {"features", Json::array()}};
+    for (const ParamDesc& each : description->params) {
+        const double most = each.soft_max > 0 ? each.soft_max : each.max;
+        all["params"].push_back(settingJson(
+            *document, each, "",
+            {{"unit", each.unit}, {"min", each.min}, {"max", each.max}, {"soft_max", most}}));
+    }
+    for (const FeatureDesc& each : description->features)
+        all["features"].push_back(
+            settingJson(*document, each, each.values[each.value], {{"values", each.values}}));
+    return all;
+}
 
 Result<FoundValue> findValue(const Node& document, const std::string& path)
 {

@@ -84,6 +84,10 @@ struct FoundValue {
 /// Errors: CV2102 that names the last part found and what it holds, or what else has the name.
 Result<FoundValue> findValue(const Node& document, const std::string& path);
 
+/// "params" and "features", each with its value, the default that its module gave it, what it may
+/// be, and who set it. Errors: those of loadConfig and decode.
+Result<nlohmann::ordered_json> settingsJson(const SourceSet& sources, const LoadRequest& request);
+
 /// The value, and each place that set it, the newest first, then the same of what it overrules; of
 /// an object, those of all values in it.
 std::string explainText(const FoundValue& value);

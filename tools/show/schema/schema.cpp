@@ -188,6 +188,34 @@ void allowBareValues(Json& definitions)
 
 }  // namespace
 
+Result<Json> listJson(const SourceSet& sources, const std::map<std::string, std::string>& scenes,
+                      const std::string& kind)
+{
+    std::map<std::string, std::map<std::string, std::string>> all = {{"scenes", scenes}};
+    for (const auto& [name, document] : filesOf(sources)) {
+        const std::string text = textOf(document, "description");
+        const Node* shaders = document.find("shaders");
+        const Node* ssao = shaders ? shaders->find("ssao") : nullptr;
+        all[name.find('/') == name.npos ? "configs" : "modules"][name] = text;
+        if (startsWith(name, "filter/")) all["filters"][name] = text;
+        if (startsWith(name, "ssao/") && ssao && document.find("extends"))
+            all["estimators"][name] = text;
+    }
+    Json list;
+    std::vector<std::string> kinds;
+    for (const auto& [each, texts] : all) {
+        kinds.push_back(each);
+        for (const auto& [name, text] : texts)
+            if (kind.empty())
+                list[each].push_back(name);
+            else if (kind == each)
+                list[each].push_back({{"name", name}, {"description", text}});
+    }
+    if (!list.is_null()) return list;
+    return Diagnostic{Code::usage, "there is no list of '" + kind + "'",
+                      suggestName(kind, kinds, "lists")};
+}
+
 std::string schemaJson(const SourceSet& sources)
 {
     const Files files = filesOf(sources);

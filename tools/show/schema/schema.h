@@ -3,7 +3,7 @@
 // (core/config/fields.h): what `crevice schema` prints.
 #pragma once
 
-#include <crevice/source.h>
+#include <crevice/diagnostic.h>
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +17,12 @@ namespace crevice {
 /// `crevice validate`. Completion knows the modules and configs in `sources`, and
 /// the params, features, targets and shaders that these declare.
 std::string schemaJson(const SourceSet& sources);
+
+/// What there is to choose: of that kind, or the names of all where it is "": configs, modules,
+/// filters, estimators, and scenes, whose texts by name `scenes` is. Errors: CV8001 for another.
+Result<nlohmann::ordered_json> listJson(const SourceSet& sources,
+                                        const std::map<std::string, std::string>& scenes,
+                                        const std::string& kind);
 
 /// Tables in Markdown: for each kind of object its keys, types, defaults, ranges and meaning.
 std::string schemaMarkdown();
