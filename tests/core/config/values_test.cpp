@@ -37,7 +37,7 @@ TEST_CASE("A length is in scene units, a share of the scene or pixels of the vie
     CHECK(length("40px") == 40 * 8 / 400.0f);
     CHECK(length("0%") == 0);
     CHECK(length("1000%") == 100);  // as far as it may be
-    radius.value = {0, 5, 0, 8};  // at most 8 % of the view's height, which is 8 there
+    radius.value = {0, 5, 0, 8};    // at most 8 % of the view's height, which is 8 there
     CHECK(sceneUnits(radius, traits, 400)[0] == 0.64f);
     traits.orthographic = true;
     CHECK(length("40px") == 40 / 400.0f);

@@ -58,11 +58,12 @@ void addSceneOption(CLI::App& app, std::string& scene)
 
 void addCameraOption(CLI::App& app, std::string& camera)
 {
-    app.add_option("--camera", camera,
-                   "The name of one of the scene's cameras; frame, which frames the scene, or "
-                   "frame=front|left|right|back|top|iso; or eye=X,Y,Z and, as wanted, ;at=X,Y,Z "
-                   ";up=X,Y,Z ;fov=DEGREES or ;ortho=HEIGHT ;shift=X,Y (off-centre, in pictures) "
-                   ";near=D ;far=D. Default: the scene's first camera that may see a mesh, else frame")
+    app.add_option(
+           "--camera", camera,
+           "The name of one of the scene's cameras; frame, which frames the scene, or "
+           "frame=front|left|right|back|top|iso; or eye=X,Y,Z and, as wanted, ;at=X,Y,Z "
+           ";up=X,Y,Z ;fov=DEGREES or ;ortho=HEIGHT ;shift=X,Y (off-centre, in pictures) "
+           ";near=D ;far=D. Default: the scene's first camera that may see a mesh, else frame")
         ->type_name("CAMERA");
 }
 
