@@ -177,13 +177,15 @@ TEST_CASE("morph targets, skins and nodes stand as at rest, or at a time")
     skinned.json["skins"] = {{{"joints", {1}}}};
     checkBox(load(skinned), {4, 0, 0}, {5, 1, 0});
 
+    ImportOptions options;
+    options.pose_s = 1;
+    CHECK(has(imported(skinned, options).diagnostics().at(0).message, "no animation"));
     const int times = skinned.floats({1, 3}, "SCALAR"),
               places = skinned.floats({0, 0, 0, 8, 0, 0}, "VEC3");
     skinned.json["animations"] = {
         {{"samplers", {{{"input", times}, {"output", places}}}},
          {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}}};
     CHECK(has(warningOf(skinned), "--time"));
-    ImportOptions options;
     for (const auto& [time_s, x] : {std::pair(0.0, 0.0), {1.5, 2.0}, {9.0, 8.0}}) {
         options.pose_s = time_s;
         checkBox(load(skinned, options), {x, 0, 0}, {x + 1, 1, 0});
@@ -205,6 +207,15 @@ TEST_CASE("textures that are moved, clamped or mirrored are laid out so that the
     for (int x = 0; x < 6; ++x) CHECK(wide.at(x, 0, 0) == (x < 3 ? 0.0f : 1.0f));
     CHECK(clamped.meshes[0].vertices[0].uv[0] == Approx(0));
     CHECK(clamped.meshes[0].vertices[1].uv[0] == Approx(1));
+    const Scene large = [&] {
+        GltfTestFile file;
+        addTexture(file, "P5 12000 1 255\n" + std::string(12000, '\xff'));
+        file.json["samplers"][0]["wrapS"] = 33648;
+        file.primitive()["attributes"]["TEXCOORD_0"] =
+            file.floats({0, 0, 4, 0, 4, 1, 0, 1}, "VEC2");
+        return need(imported(file));
+    }();
+    CHECK(large.meshes[0].vertices[1].uv[0] == Approx(4));  // as a texture that repeats
     const Scene mirrored = columns("wrapS", 33648, {0, 0, 4, 0, 4, 1, 0, 1});
     REQUIRE(mirrored.textures.back().image.extent == Extent{4, 1});
     CHECK(mirrored.textures.back().image.at(2, 0, 0) == 1.0f);
@@ -236,6 +247,10 @@ TEST_CASE("colours of vertices run straight between the corners of each triangle
         CHECK(image.at(x, y, 0) == vertex.position[0]);
         CHECK(image.at(x, y, 1) == vertex.position[1]);
     }
+    file.json["meshes"][0]["primitives"].push_back(file.primitive());
+    file.json["meshes"][0]["primitives"][1]["attributes"].erase("COLOR_0");
+    const Scene mixed = load(file);
+    CHECK(mixed.materials[std::size_t(mixed.instances[1].material)].base_color_texture == -1);
     GltfTestFile same;
     same.primitive()["attributes"]["COLOR_0"] =
         same.numbers<std::uint8_t>(std::vector<std::uint8_t>(16, 51), "VEC4", 5121, true);

@@ -301,6 +301,7 @@ Result<ReadScene> readByAssimp(const std::string& path, const ImportOptions& opt
         read.dropped += dropBrokenFaces(*whole->mMeshes[index]);
     LeftOut left_out;
     findLeftOut(*whole, left_out);
+    if (options.pose_s) left_out.shape.insert("the moment of --time, which is read of glTF alone");
     if (!hasSurface(*whole)) return read;
     const aiScene* const from = importer.ApplyPostProcessing(kPostProcess);
     if (!from) return failureOf(importer, path);

@@ -236,6 +236,23 @@ GltfMaterials::Layout GltfMaterials::layoutFor(int material, const MeshDesc& mes
     return layout;
 }
 
+Extent GltfMaterials::extentOf(const Extent& size, const Layout& layout)
+{
+    const auto& [across, up] = layout;
+    return {size.width * across.count * across.texels, size.height * up.count * up.texels};
+}
+
+// Whether there is room for three such textures, as a material has.
+bool GltfMaterials::fits(int texture, const Layout& layout) const
+{
+    constexpr int kLongest = 1 << 14;
+    if (texture < 0) return true;
+    const Extent size = scene_.textures[std::size_t(texture)].image.extent;
+    const Extent whole = extentOf(size, layout);
+    return whole == size || (std::max(whole.width, whole.height) <= kLongest &&
+                             3.0 * whole.width * whole.height <= textures_.room());
+}
+
 int GltfMaterials::laidOut(int texture, const Layout& layout)
 {
     if (texture < 0) return texture;
@@ -245,16 +262,9 @@ int GltfMaterials::laidOut(int texture, const Layout& layout)
     const auto [known, added] = laid_out_.try_emplace(key, texture);
     if (!added) return known->second;
     const SceneTexture& from = scene_.textures[std::size_t(texture)];
-    const Extent size = from.image.extent;
-    const auto& [across, up] = layout;
-    const Extent whole = {size.width * across.count * across.texels,
-                          size.height * up.count * up.texels};
+    const Extent size = from.image.extent, whole = extentOf(size, layout);
     if (whole == size) return texture;
-    if (static_cast<double>(whole.width) * whole.height > textures_.room() ||
-        std::max(whole.width, whole.height) > 1 << 14) {
-        left_out_.shape.insert("wrap modes and filters of large textures");
-        return texture;
-    }
+    const auto& [across, up] = layout;
     Image image(whole, 4);
     for (int y = 0; y < whole.height; ++y)
         for (int x = 0; x < whole.width; ++x) {
@@ -280,13 +290,18 @@ int GltfMaterials::materialFor(int index, std::vector<float> colors, MeshDesc& m
     const auto [known, added] = read_.try_emplace(index);
     if (added) known->second = read(index);
     SceneMaterial material = known->second;
-    const Layout layout = layoutFor(index, mesh);
+    Layout layout = layoutFor(index, mesh);
     std::vector<float> key = {static_cast<float>(index)};
     for (const Tiles& tiles : layout)
         key.insert(key.end(), {float(tiles.mode), float(tiles.first), float(tiles.count)});
-    for (int* texture :
-         {&material.base_color_texture, &material.normal_texture, &material.occlusion_texture})
-        *texture = laidOut(*texture, layout);
+    int* const textures[] = {&material.base_color_texture, &material.normal_texture,
+                             &material.occlusion_texture};
+    for (const int* each : textures)
+        if (!fits(*each, layout)) {
+            layout = Layout();
+            left_out_.shape.insert("wrap modes and filters of large textures");
+        }
+    for (int* each : textures) *each = laidOut(*each, layout);
     for (Vertex& vertex : mesh.vertices)
         for (int axis = 0; axis < 2; ++axis)
             vertex.uv[axis] = (vertex.uv[axis] - float(layout[std::size_t(axis)].first)) /
@@ -302,11 +317,12 @@ int GltfMaterials::materialFor(int index, std::vector<float> colors, MeshDesc& m
         painted = !coordinates(index) && paint(colors, material, mesh);
         if (!painted) left_out_.shape.insert("colours of vertices on textured surfaces");
     }
-    const auto [made, fresh] = made_.try_emplace(key, int(scene_.materials.size()));
-    if (!fresh && !painted) return made->second;
+    const int next = static_cast<int>(scene_.materials.size());
+    if (!painted)
+        if (const auto [made, fresh] = made_.try_emplace(key, next); !fresh) return made->second;
     setAlpha(index, material);
     scene_.materials.push_back(std::move(material));
-    return static_cast<int>(scene_.materials.size()) - 1;
+    return next;
 }
 
 }  // namespace crevice

@@ -43,6 +43,8 @@ private:
     int texture(const json& use, Encoding encoding);
     int image(const json& texture, Encoding encoding);
     Layout layoutFor(int material, const MeshDesc& mesh);
+    static Extent extentOf(const Extent& size, const Layout& layout);
+    bool fits(int texture, const Layout& layout) const;
     int laidOut(int texture, const Layout& layout);
     bool paint(const std::vector<float>& colors, SceneMaterial& material, MeshDesc& mesh);
     void setAlpha(int material, SceneMaterial& to) const;

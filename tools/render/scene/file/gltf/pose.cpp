@@ -118,6 +118,8 @@ std::vector<PosedNode> posedNodes(const GltfFile& file, std::optional<double> ti
         placements.push_back({node.translation, node.rotation, node.scale, node.weights});
     const std::size_t animations = file.model().animations.size();
     if (animations > 0 && time_s) animate(file, *time_s, placements);
+    if (animations == 0 && time_s)
+        left_out.shape.insert("the moment of --time: it has no animation");
     if (animations > 0 && !time_s)
         left_out.shape.insert("its animation (--time SECONDS draws a moment of it)");
     if (animations > 1) left_out.shape.insert(std::to_string(animations - 1) + " more animations");
