@@ -59,7 +59,7 @@ void addTexture(GltfTestFile& file, const std::string& pgm)
     const int view = file.view(pgm.data(), pgm.size());
     file.json["images"] = {{{"bufferView", view}}};
     file.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
-    file.json["samplers"] = {json::object()};
+    file.json["samplers"] = json::array({json::object()});
     file.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
     file.primitive()["material"] = 0;
 }

@@ -97,15 +97,25 @@ Status checkClaims(const json& gltf, const std::string& path, double bytes)
 {
     const auto size = static_cast<std::uint64_t>(std::min(bytes, 1e18));
     const SceneLimits limits = sceneLimits(size);
-    double elements = 0, primitives = 0;
+    double elements = 0, primitives = 0, triangles = 0;
     for (const json& accessor : member(gltf, "accessors"))
         elements = std::max(elements, numberOf(member(accessor, "count"), 0));
     for (const json& mesh : member(gltf, "meshes"))
-        primitives += static_cast<double>(member(mesh, "primitives").size());
+        for (const json& each : member(mesh, "primitives")) {
+            const json& indices = member(each, "indices");
+            const json& corners =
+                indices.is_null() ? member(member(each, "attributes"), "POSITION") : indices;
+            const double count =
+                numberOf(member(entryOf(member(gltf, "accessors"), corners), "count"), 0);
+            const bool apart = numberOf(member(each, "mode"), 4) <= 4;  // no strip and no fan
+            triangles += apart ? count / 3 : count;
+            primitives += 1;
+        }
     const json& lights = member(extensionOf(gltf, "KHR_lights_punctual"), "lights");
     const std::tuple<const char*, double, double> counts[] = {
         {"elements in an accessor", elements, 3 * limits.triangles},
         {"primitives", primitives, limits.parts},
+        {"triangles", triangles, limits.triangles},
         {"lights", static_cast<double>(lights.size()), limits.parts}};
     for (const auto& [what, count, limit] : counts)
         if (count > limit) return overLimit(path, what, count, limit, size);

@@ -70,7 +70,6 @@ private:
     {
         const SceneLimits limits = sceneLimits(bytes_);
         const std::tuple<const char*, double, double> counts[] = {
-            {"triangles", triangles_, limits.triangles},
             {"triangles at all nodes", drawn_, limits.drawn},
             {"meshes at all places", double(to_.scene.instances.size()), limits.nodes}};
         for (const auto& [what, count, limit] : counts)
@@ -90,7 +89,6 @@ private:
         if (read) {
             to_.dropped += read->dropped;
             to_.turned += read->turned;
-            triangles_ += static_cast<double>(read->mesh.indices.size() / 3);
             made = Made{static_cast<int>(to_.scene.meshes.size()), read->material};
             to_.scene.meshes.push_back(std::move(read->mesh));
         }
@@ -134,7 +132,7 @@ private:
     SceneTextures textures_;
     GltfMaterials materials_;
     std::map<std::pair<int, int>, std::optional<Made>> made_ = {};
-    double triangles_ = 0, drawn_ = 0;
+    double drawn_ = 0;
 };
 
 // Where a camera or light looks: along -z of its node, whose scale is none.
