@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/host_pictures.h"
 
+#include <crevice/config.h>
+
 #include "core/base/text.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/camera_framing.h"
