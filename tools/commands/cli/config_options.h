@@ -2,6 +2,8 @@
 // Which config a command works on: the arguments that render, validate and explain share.
 #pragma once
 
+#include "tools/commands/cli/scene_lengths.h"
+
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
@@ -13,9 +15,6 @@ class Option;
 }  // namespace CLI
 
 namespace crevice {
-
-/// The radius of a scene whose units nobody knows: two thirds of what 0.5 is of the scene 'room'.
-constexpr const char* kShareOfScene = "5%";
 
 struct ConfigOptions {
     std::string config;                   ///< A shipped config's name or a file.

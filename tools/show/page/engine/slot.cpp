@@ -138,7 +138,7 @@ Status Slot::load(Device& device, const SourceSet& sources, const SlotRequest& r
     if (!document) return document.diagnostics();
     Result<Description> description = decode(*document, sources);
     if (!description) return description.diagnostics();
-    if (request.file_scene) fitLengths(*description, *document);
+    if (request.file_scene) fitLengths(*description, *document, kShareOfScene);
     for (ParamDesc& param : description->params)  // px stay: only the renderer says what they lack
         if (param.value[2] == 0) param.value = sceneUnits(param, traitsOf(frame), extent.height);
     const std::vector<std::string> files = filesOf(*document, *description, request.config);
