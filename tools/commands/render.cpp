@@ -108,11 +108,8 @@ Result<double> redraw(const RenderOptions& options, Session& session, Descriptio
                       std::vector<Picture>& pictures)
 {
     std::vector<Picture> next = pictures;
-    const auto lengths = session.pictures
-                             ? resolveLengths(description, *session.pictures)
-                             : resolveLengths(description, *session.view, options.backend);
-    if (!lengths) return lengths.diagnostics();
-    if (session.pictures) session.pictures->fitFormats(description);
+    if (const auto lengths = fitToView(session, description); !lengths)
+        return lengths.diagnostics();
     const Result<std::vector<std::string>> outputs = exposeAll(next, description);
     if (!outputs) return outputs.diagnostics();
     CompileOptions compile_options = session.options;

@@ -5,10 +5,10 @@
 
 #include "core/base/text.h"
 #include "tools/render/image/image_file.h"
+#include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
 
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -139,23 +139,15 @@ Result<HostPictures> HostPictures::read(const HostPictureOptions& options,
 std::optional<double> HostPictures::medianDistance() const
 {
     const auto& [name, image] = pictures_.front();
-    const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(camera_.clip_from_view));
-    const float background = camera_.reversedDepth() ? 0.0f : 1.0f;
+    if (name == "depth") return crevice::medianDistance(image, camera_);
     std::vector<double> seen;
     for (std::size_t k = 0; k < image.pixels.size(); k += image.channels) {
         const double value = image.pixels[k];
-        const double z = camera_.clip_control->zero_to_one ? value : value * 2 - 1;
-        const glm::dvec4 view = view_from_clip * glm::dvec4(0, 0, z, 1);
-        if (name == "depth" && image.pixels[k] != background)
-            seen.push_back(std::abs(view.z / view.w));
         if (name == "linear_depth" && value > 0 && value < kNothing) seen.push_back(value);
         if (name == "position" && image.channels == 4 && image.pixels[k + 3] > 0)
             seen.push_back(std::abs(image.pixels[k + 2]));
     }
-    if (seen.empty()) return std::nullopt;
-    const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
-    std::nth_element(seen.begin(), middle, seen.end());
-    return *middle;
+    return medianOf(std::move(seen));
 }
 
 void HostPictures::fitFormats(Description& description) const

@@ -80,16 +80,26 @@ Result<Image> drawDepth(Device& device, Frame frame, Extent extent)
     return readOutput(device, **renderer, "depth");
 }
 
+std::optional<double> medianOf(std::vector<double> values)
+{
+    if (values.empty()) return std::nullopt;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 std::optional<double> medianDistance(const Image& depth, const Camera& camera)
 {
-    std::vector<float> seen;
+    const float background = camera.reversedDepth() ? 0.0f : 1.0f;
+    std::vector<double> seen;
     for (std::size_t i = 0; i < depth.pixels.size(); i += depth.channels)
-        if (depth.pixels[i] < 1.0f) seen.push_back(depth.pixels[i]);
-    if (seen.empty()) return std::nullopt;
-    const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
-    std::nth_element(seen.begin(), middle, seen.end());
+        if (depth.pixels[i] != background) seen.push_back(depth.pixels[i]);
+    const std::optional<double> middle = medianOf(std::move(seen));
+    if (!middle) return std::nullopt;
+    const bool zero_to_one = camera.clip_control && camera.clip_control->zero_to_one;
     const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(camera.clip_from_view));
-    const glm::dvec4 view = view_from_clip * glm::dvec4(0, 0, *middle * 2.0 - 1.0, 1);
+    const glm::dvec4 view =
+        view_from_clip * glm::dvec4(0, 0, zero_to_one ? *middle : *middle * 2.0 - 1.0, 1);
     return std::abs(view.z / view.w);  // a left-handed view looks along +z
 }
 

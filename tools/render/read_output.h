@@ -35,8 +35,11 @@ constexpr const char* kDepthModule = "command/depth.json";
 /// Errors: those of Renderer::create, Renderer::render and Device::readTexture.
 Result<Image> drawDepth(Device& device, Frame frame, Extent extent);
 
-/// Median distance along the view axis of what such depths show. Nothing where that is the
-/// background alone.
+/// Nothing of nothing.
+std::optional<double> medianOf(std::vector<double> values);
+
+/// Median distance along the view axis of what window depths of the camera show. Nothing where that
+/// is the background alone, which is 1, or 0 of a camera whose depth is reversed.
 std::optional<double> medianDistance(const Image& depth, const Camera& camera);
 
 /// How a request is met: the config's output that holds the pixels, and how a view shows them.

@@ -85,17 +85,23 @@ Status checkShaders(Session& session, const Description& description, const Comp
     return shaders.check(description, &device);
 }
 
+Result<std::string> fitToView(Session& session, Description& description)
+{
+    if (session.pictures) {
+        session.pictures->fitFormats(description);
+        return resolveLengths(description, *session.pictures);
+    }
+    const Extent extent = session.options.extent;
+    return resolveLengths(
+        description, session.frame.camera, extent, session.scene->bounds().diagonal(),
+        [&] { return medianDistance(*session.open.device, session.frame, extent); });
+}
+
 Result<Session> openSession(const RenderOptions& options, const SceneView& view,
                             std::optional<HostPictures> pictures, Description description,
                             const std::vector<std::string>& outputs, Progress& progress)
 {
     Session session;
-    const Result<std::string> lengths = pictures
-                                            ? resolveLengths(description, *pictures)
-                                            : resolveLengths(description, view, options.backend);
-    if (!lengths) return lengths.diagnostics();
-    session.view = &view;
-    session.lengths = *lengths;
     session.options.extent = view.extent;
     session.options.outputs = outputs;
     session.options.disable = options.disable;
@@ -109,11 +115,12 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     session.scene = std::move(*scene);
     session.frame = makeFrame(*session.scene, view.camera, view.extent);
     session.pictures = std::move(pictures);
-    if (session.pictures) {
-        session.pictures->fitFormats(description);
+    if (session.pictures)
         if (Status there = session.pictures->upload(device, session.frame); !there)
             return there.diagnostics();
-    }
+    const Result<std::string> lengths = fitToView(session, description);
+    if (!lengths) return lengths.diagnostics();
+    session.lengths = *lengths;
     Result<HostTextures> host = HostTextures::make(device, description, view.extent, session.frame);
     if (!host) return host.diagnostics();
     session.host = std::move(*host);

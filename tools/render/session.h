@@ -58,7 +58,6 @@ struct Session {
     std::optional<HostTextures> host;
     Frame frame;  ///< Of the scene; the config's has the host's textures.
     CompileOptions options;
-    const SceneView* view = nullptr;
     std::string lengths;  ///< As resolveLengths says.
     std::unique_ptr<Renderer> renderer;
     double create_ms = 0;  ///< What Renderer::create took, by the wall clock.
@@ -68,6 +67,10 @@ struct Session {
 /// session would draw the description with, and then its driver. A plan that fails is no error.
 Status checkShaders(Session& session, const Description& description,
                     const CompileOptions& options);
+
+/// Puts the description's lengths into the units of what the session shows, and formats of imports
+/// into those of its pictures; says what lengths they were. Errors: those of resolveLengths.
+Result<std::string> fitToView(Session& session, Description& description);
 
 /// Uploads the scene, whose view must outlive the session, or the pictures, and compiles the
 /// description for it, whose outputs of these names are kept.

@@ -13,7 +13,6 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
-#include <functional>
 
 namespace crevice {
 namespace {
@@ -86,9 +85,10 @@ Diagnostic nothingToMeasure()
             "give the length in scene units or as a share of the scene, or move --camera"};
 }
 
-// `distance` is called where a length is in pixels; `diagonal` is 0 where there is no scene.
-Result<std::string> inSceneUnits(Description& description, const Camera& camera, Extent extent,
-                                 double diagonal, const std::function<Result<double>()>& distance)
+}  // namespace
+
+Result<std::string> resolveLengths(Description& description, const Camera& camera, Extent extent,
+                                   double diagonal, const std::function<Result<double>()>& distance)
 {
     SceneTraits traits;
     traits.orthographic = camera.orthographic();
@@ -117,21 +117,13 @@ Result<std::string> inSceneUnits(Description& description, const Camera& camera,
     return joined(said);
 }
 
-Result<double> medianDistanceOf(const Scene& shown, const SceneCamera& camera, Extent extent,
-                                const std::string& backend)
+Result<double> medianDistance(Device& device, const Frame& frame, Extent extent)
 {
-    const Result<OpenDevice> open = openDevice(backend);
-    if (!open) return open.diagnostics();
-    const Result<UploadedScene> scene = UploadedScene::upload(*open->device, shown);
-    if (!scene) return scene.diagnostics();
-    const Frame frame = makeFrame(*scene, camera, extent);
-    const Result<Image> depth = drawDepth(*open->device, frame, extent);
+    const Result<Image> depth = drawDepth(device, frame, extent);
     if (!depth) return depth.diagnostics();
     if (const auto distance = medianDistance(*depth, frame.camera)) return *distance;
     return nothingToMeasure();
 }
-
-}  // namespace
 
 double pixelsOf(double length, double distance, const Camera& camera, Extent extent)
 {
@@ -179,22 +171,33 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
     return {};
 }
 
-Result<std::string> resolveLengths(Description& description, const Scene& scene,
-                                   const Bounds& bounds, const SceneCamera& seen, Extent extent,
+Result<double> medianDistance(const Scene& shown, const SceneCamera& camera, Extent extent,
+                              const std::string& backend)
+{
+    const Result<OpenDevice> open = openDevice(backend);
+    if (!open) return open.diagnostics();
+    const Result<UploadedScene> scene = UploadedScene::upload(*open->device, shown);
+    if (!scene) return scene.diagnostics();
+    return medianDistance(*open->device, makeFrame(*scene, camera, extent), extent);
+}
+
+Result<std::string> resolveLengths(Description& description, const SceneView& view,
                                    const std::string& backend)
 {
+    const auto& [scene, bounds, seen, extent] = view;
     const Camera camera = {seen.view_from_world, clipFromView(seen, extent, bounds)};
-    return inSceneUnits(description, camera, extent, bounds.diagonal(),
-                        [&] { return medianDistanceOf(scene, seen, extent, backend); });
+    return resolveLengths(description, camera, extent, bounds.diagonal(), [&] {
+        return medianDistance(view.scene, view.camera, view.extent, backend);
+    });
 }
 
 Result<std::string> resolveLengths(Description& description, const HostPictures& pictures)
 {
-    return inSceneUnits(description, pictures.camera(), pictures.extent(), 0,
-                        [&]() -> Result<double> {
-                            if (const auto distance = pictures.medianDistance()) return *distance;
-                            return nothingToMeasure();
-                        });
+    const auto distance = [&]() -> Result<double> {
+        if (const auto median = pictures.medianDistance()) return *median;
+        return nothingToMeasure();
+    };
+    return resolveLengths(description, pictures.camera(), pictures.extent(), 0, distance);
 }
 
 }  // namespace crevice

@@ -8,6 +8,8 @@
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/options.h"
 
+#include <functional>
+
 namespace crevice {
 
 /// Pixels that a length covers at a distance.
@@ -23,18 +25,24 @@ double pixelsOf(double length, double distance, const Camera& camera, Extent ext
 Diagnostics checkView(const Description& description, const Plan& plan, const Scene& scene,
                       const Camera& camera, std::optional<double> distance, const Image* ao);
 
+/// Median distance along the view axis of what a frame shows, whose depth is drawn for it. Errors:
+/// those of drawDepth; CV7008 where that is the background alone.
+Result<double> medianDistance(Device& device, const Frame& frame, Extent extent);
+
+/// The same, on a context of its own of that backend. Errors: also those of openDevice.
+Result<double> medianDistance(const Scene& shown, const SceneCamera& camera, Extent extent,
+                              const std::string& backend = {});
+
 /// Puts lengths into scene units; says what they were: "radius 5 % of the scene = 0.31", or "".
-/// Pixels need the depth of the view, which a context of that backend then draws.
-///
-/// Errors: those of openDevice and drawDepth; CV7008 for pixels where no surface is seen.
-Result<std::string> resolveLengths(Description& description, const HostPictures& pictures);
-Result<std::string> resolveLengths(Description& description, const Scene& scene,
-                                   const Bounds& bounds, const SceneCamera& seen, Extent extent,
+/// `distance` is the median one in view, asked for where a length needs it; `diagonal` is the
+/// scene's, 0 without one. Errors: those of `distance`; CV8001 for a share of no scene.
+Result<std::string> resolveLengths(Description& description, const Camera& camera, Extent extent,
+                                   double diagonal,
+                                   const std::function<Result<double>()>& distance);
+
+/// The same of a scene, by medianDistance on a context of its own, and of pictures.
+Result<std::string> resolveLengths(Description& description, const SceneView& view,
                                    const std::string& backend = {});
-inline Result<std::string> resolveLengths(Description& description, const SceneView& view,
-                                          const std::string& backend = {})
-{
-    return resolveLengths(description, view.scene, view.bounds, view.camera, view.extent, backend);
-}
+Result<std::string> resolveLengths(Description& description, const HostPictures& pictures);
 
 }  // namespace crevice

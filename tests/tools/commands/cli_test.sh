@@ -31,6 +31,7 @@ expect 2 'CV8001.*--max-abs' compare a.png b.png --max-abs two
 
 expect 2 "the command comes first: crevice render balanced" balanced render
 expect 2 "write --host-depth=normals" render gtao --host-depth normals
+expect 2 'CV8001.*--up.*y' render gtao --scene plane --up x
 expect 1 'CV7005.*nix.exr' render gtao --import depth=nix.exr
 expect 2 'CV8001.*requires --import' render gtao --projection 'fov=50'
 expect 2 "write --config mine.json" bench mine.json

@@ -194,8 +194,18 @@ private:
     {
         if (place.failure.empty()) {
             const BenchView& view = plan.views.back();
-            const Result<std::string> known = resolveLengths(loaded.description, *view.scene,
-                                                             view.bounds, view.camera, view.extent);
+            const Camera camera = {view.camera.view_from_world,
+                                   clipFromView(view.camera, view.extent, view.bounds)};
+            const auto distance = [&] {
+                const auto found = distances_.find(plan.views.size());
+                if (found != distances_.end()) return found->second;
+                return distances_
+                    .emplace(plan.views.size(),
+                             medianDistance(*view.scene, view.camera, view.extent))
+                    .first->second;
+            };
+            const Result<std::string> known = resolveLengths(
+                loaded.description, camera, view.extent, view.bounds.diagonal(), distance);
             if (!known) return known.diagnostics();
         }
         const std::vector<OutputDesc>& outputs = loaded.description.outputs;
@@ -241,6 +251,7 @@ private:
     const SourceSet& sources_;
     std::set<std::string> told_;
     std::set<std::string> keys_;
+    std::map<std::size_t, Result<double>> distances_;  // medianDistance, by the number of the view
     std::map<std::pair<std::size_t, double>, std::string> references_;
 };
 

@@ -231,9 +231,7 @@ Result<Image> decodeWebp(std::string_view bytes, const std::string& name, double
 
 std::string lowerExtension(const std::string& path)
 {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
+    return lowerCase(std::filesystem::path(path).extension().string());
 }
 
 std::filesystem::path behindLinks(const std::string& path)

@@ -33,18 +33,19 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
            "Draw a glTF file's first animation at that time. Default: nodes, skins and morph "
            "targets at rest")
         ->type_name("SECONDS");
-    const std::map<std::string, Up> axes = {{"y", Up::y}, {"z", Up::z}};
-    app.add_option("--up", options.up,
-                   "The axis of a file that points up. Default: z for STL, y for others")
+    using Word = const std::string&;
+    app.add_option_function<std::string>(
+           "--up", [&options](Word axis) { options.up = axis == "z" ? Up::z : Up::y; },
+           "The axis of a file that points up. Default: z for STL, y for others")
         ->type_name("y|z")
-        ->transform(CLI::Transformer(axes));
-    const std::map<std::string, bool> ways = {{"out", false}, {"solid", true}};
-    app.add_option(
-           "--blended", options.blended_solid,
-           "Surfaces that are seen through (glass; glTF's BLEND): left out, since they take "
-           "and cast no occlusion, or drawn solid. Default: out")
+        ->check(CLI::IsMember({"y", "z"}));
+    app.add_option_function<std::string>(
+           "--blended", [&options](Word way) { options.blended_solid = way == "solid"; },
+           "Surfaces that are seen through (glass; glTF's BLEND): left out, since they take and "
+           "cast "
+           "no occlusion, or drawn solid. Default: out")
         ->type_name("out|solid")
-        ->transform(CLI::Transformer(ways));
+        ->check(CLI::IsMember({"out", "solid"}));
 }
 
 void addSceneOption(CLI::App& app, std::string& scene)

@@ -66,6 +66,9 @@ void importMaterials(const aiScene& from, SceneTextures& textures, Scene& scene)
 /// world_from_node by node name: Assimp's cameras and lights stand where the node of their name is.
 using NodePlaces = std::map<std::string, glm::dmat4>;
 
+/// view_from_world; both directions have length 1, and any `up` will do where it is along the view.
+glm::dmat4 viewAlong(const glm::dvec3& eye, const glm::dvec3& forward, glm::dvec3 up);
+
 /// Appends all cameras.
 void importCameras(const aiScene& from, const NodePlaces& places, Scene& scene);
 

@@ -41,19 +41,13 @@ auto rowOf(const Rows& rows, std::string_view key)
 
 void findLeftOutOfLine(std::string_view line, LeftOut& left_out)
 {
+    std::string text(line);
+    for (char& c : text) c = c == '\t' || c == '\r' ? ' ' : c;
     std::vector<std::string> words;
-    std::string_view blanks = " \t\r";
-    while (!line.empty()) {
-        const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
-        line.remove_prefix(begin);
-        const std::size_t end = std::min(line.find_first_of(blanks), line.size());
-        if (end > 0) words.emplace_back(line.substr(0, end));
-        line.remove_prefix(end);
-    }
+    for (const std::string_view word : split(text, ' '))
+        if (!word.empty()) words.emplace_back(word);
     if (words.empty() || words[0][0] == '#') return;
-    std::string key = words[0];
-    std::transform(key.begin(), key.end(), key.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
+    const std::string key = lowerCase(words[0]);
     const auto look = rowOf(kMtlLook, key);
     const bool black =
         key == "ke" && std::all_of(words.begin() + 1, words.end(), [](const std::string& each) {
@@ -71,18 +65,13 @@ void findLeftOutOfLine(std::string_view line, LeftOut& left_out)
         left_out.shape.insert("the option '" + words[1] + "' of " + words[0]);
 }
 
-std::vector<std::string> listOf(const std::set<std::string>& all)
-{
-    return {all.begin(), all.end()};
-}
-
 }  // namespace
 
 Diagnostic LeftOut::warning(const std::string& path) const
 {
     std::vector<std::string> parts;
-    if (!shape.empty()) parts.push_back("without " + joined(listOf(shape)));
-    if (!look.empty()) parts.push_back("in colours without " + joined(listOf(look)));
+    if (!shape.empty()) parts.push_back("without " + joined({shape.begin(), shape.end()}));
+    if (!look.empty()) parts.push_back("in colours without " + joined({look.begin(), look.end()}));
     return asWarning({Code::scene_features,
                       "the scene '" + path + "' is drawn " + joined(parts, " and "),
                       shape.empty() ? "ambient occlusion needs none of it"

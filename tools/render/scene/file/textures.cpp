@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/scene/file/textures.h"
 
+#include "core/base/text.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/image/srgb.h"
 #include "tools/render/scene/file/folder.h"
@@ -38,13 +39,9 @@ Image linearRgba(const Image& image, Encoding encoding)
 // The file whose name differs in capitals alone, which Windows would open; empty without one.
 std::filesystem::path inOtherCase(const std::filesystem::path& wanted)
 {
-    const auto lower = [](std::string text) {
-        for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        return text;
-    };
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(wanted.parent_path(), error))
-        if (lower(entry.path().filename().string()) == lower(wanted.filename().string()))
+        if (lowerCase(entry.path().filename().string()) == lowerCase(wanted.filename().string()))
             return entry.path();
     return {};
 }

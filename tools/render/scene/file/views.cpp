@@ -41,9 +41,7 @@ SceneCamera cameraFrom(const aiCamera& from, const NodePlaces& places)
     const glm::dmat4 place = placeOf(places, from.mName);
     const glm::dvec3 eye = place * glm::dvec4(vectorFrom(from.mPosition), 1.0);
     const glm::dvec3 forward = turned(place, from.mLookAt, {0, 0, -1});
-    glm::dvec3 up = turned(place, from.mUp, {0, 1, 0});
-    if (glm::length(glm::cross(forward, up)) < 1e-6) up = {forward.y, forward.z, forward.x};
-    camera.view_from_world = glm::lookAt(eye, eye + forward, up);
+    camera.view_from_world = viewAlong(eye, forward, turned(place, from.mUp, {0, 1, 0}));
     camera.orthographic = from.mOrthographicWidth > 0.0f;
     if (camera.orthographic)
         camera.half_height = from.mOrthographicWidth / (from.mAspect > 0.0f ? from.mAspect : 1.0f);
@@ -114,6 +112,12 @@ void normalizeLights(Scene& scene)
     if (!std::isfinite(brightest)) return lights.clear();
     for (SceneLight& each : lights)
         if (brightest > 0.0) each.light.color /= static_cast<float>(brightest);
+}
+
+glm::dmat4 viewAlong(const glm::dvec3& eye, const glm::dvec3& forward, glm::dvec3 up)
+{
+    if (glm::length(glm::cross(forward, up)) < 1e-6) up = {forward.y, forward.z, forward.x};
+    return glm::lookAt(eye, eye + forward, up);
 }
 
 void importCameras(const aiScene& from, const NodePlaces& places, Scene& scene)

@@ -42,12 +42,10 @@ Result<Chunks> chunksOf(const std::string& path)
 {
     FileBytes file = readBytes(path, std::numeric_limits<std::uint32_t>::max());
     if (!file) return brokenScene(path, file.failure);
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     Chunks chunks;
     std::string_view rest = file.bytes;
     if (!startsWith(rest, "glTF")) {
-        if (startsWith(rest, kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
-        chunks.text = rest;
+        chunks.text = std::move(file.bytes);  // with or without a byte order mark
         return chunks;
     }
     if (rest.size() < kHead) throw BrokenGltf("it ends within its header");
@@ -123,12 +121,12 @@ Status checkClaims(const json& gltf, const std::string& path, double bytes)
 }
 
 // A buffer as tinygltf reads it: of the length that its bytes have, where those are enough.
-void mendBuffer(json& buffer, const std::string& path, const std::string& binary)
+void mendBuffer(json& buffer, const std::string& path, std::size_t binary_size)
 {
     const double length = numberOf(member(buffer, "byteLength"), 0);
     const json uri = member(buffer, "uri");
     if (!uri.is_string()) {
-        if (!binary.empty() && length <= static_cast<double>(binary.size())) return;
+        if (binary_size > 0 && length <= static_cast<double>(binary_size)) return;
         // A fallback that nothing but an old reader needs, or else one whose views read too far.
         buffer["uri"] = octets("data:,AA==");
         buffer["byteLength"] = 1;
@@ -151,11 +149,11 @@ void mendBuffer(json& buffer, const std::string& path, const std::string& binary
 }
 
 // Without images, and without indices of primitives whose own are Draco's.
-std::string forTinygltf(json gltf, const std::string& path, const std::string& binary)
+std::string forTinygltf(json gltf, const std::string& path, std::size_t binary_size)
 {
     gltf.erase("images");
     for (json& buffer : gltf["buffers"])
-        if (buffer.is_object()) mendBuffer(buffer, path, binary);
+        if (buffer.is_object()) mendBuffer(buffer, path, binary_size);
     if (gltf["buffers"].is_null()) gltf.erase("buffers");
     for (json& mesh : gltf["meshes"])
         for (json& primitive : mesh.is_object() ? mesh["primitives"] : mesh)
@@ -197,15 +195,18 @@ std::string padded(std::string bytes, char with)
 }
 
 // As a .glb file, in which buffers that have no URI are allowed.
-void readModel(const std::string& json_text, const std::string& binary, const std::string& path,
-               Reading reading, tinygltf::Model& model)
+void readModel(std::string text, std::string data, const std::string& path, Reading reading,
+               tinygltf::Model& model)
 {
-    const std::string text = padded(json_text, ' '), data = padded(binary, '\0');
-    std::string glb = "glTF" + littleEndian(2) + littleEndian(0) +
-                      littleEndian(static_cast<std::uint32_t>(text.size())) + "JSON" + text;
-    if (!data.empty())
-        glb +=
-            littleEndian(static_cast<std::uint32_t>(data.size())) + std::string("BIN\0", 4) + data;
+    const auto chunk = [](std::string& glb, std::string_view type, std::string bytes) {
+        glb += littleEndian(static_cast<std::uint32_t>(bytes.size()));
+        (glb += type) += bytes;
+    };
+    std::string glb;
+    glb.reserve(text.size() + data.size() + 64);
+    glb = "glTF" + littleEndian(2) + littleEndian(0);
+    chunk(glb, "JSON", padded(std::move(text), ' '));
+    if (!data.empty()) chunk(glb, {"BIN\0", 4}, padded(std::move(data), '\0'));
     glb.replace(8, 4, littleEndian(static_cast<std::uint32_t>(glb.size())));
     tinygltf::TinyGLTF reader;
     reader.SetFsCallbacks({exists, sameName, readWhole, nullptr, &reading});
@@ -277,7 +278,8 @@ Status GltfFile::load(const std::string& path, const ImportOptions& options, Sce
 {
     const double bytes = bytesOf(document_, path, folder.bytes());
     if (Status fits = checkClaims(document_, path, bytes); !fits) return fits;
-    readModel(forTinygltf(document_, path, binary_), binary_, path, {folder, options}, model_);
+    readModel(forTinygltf(document_, path, binary_.size()), std::move(binary_), path,
+              {folder, options}, model_);
     return {};
 }
 

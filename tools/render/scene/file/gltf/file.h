@@ -75,7 +75,7 @@ private:
     std::string unfoldedView(int index, const json& packed) const;
 
     json document_ = {};
-    std::string binary_ = {};  // the chunk of that name
+    std::string binary_ = {};  // the chunk of that name, until it is loaded
     tinygltf::Model model_ = {};
     mutable std::map<int, std::string> unfolded_ = {};  // by buffer view
 };

@@ -202,11 +202,6 @@ std::vector<std::string> names(const json& list)
     return {all.begin(), all.end()};
 }
 
-std::vector<std::string> listOf(const std::set<std::string>& all)
-{
-    return {all.begin(), all.end()};
-}
-
 std::string cell(std::string_view words)
 {
     std::vector<std::string> keys;
@@ -242,7 +237,7 @@ Status checkRequired(const json& gltf, const std::string& path)
     return Diagnostic{Code::scene_broken,
                       "the scene '" + path + "' needs " + joined(missing, " and ") +
                           (missing.size() == 1 ? ", which is not read" : ", which are not read"),
-                      joined(listOf(ways_out), "; ")};
+                      joined({ways_out.begin(), ways_out.end()}, "; ")};
 }
 
 std::string gltfTables()

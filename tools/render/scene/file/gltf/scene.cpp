@@ -6,6 +6,7 @@
 #include "tools/render/scene/file/gltf/pose.h"
 #include "tools/render/scene/file/limits.h"
 
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -175,9 +176,8 @@ void addCameras(const GltfFile& file, const std::vector<PosedNode>& nodes, Scene
         const tinygltf::Camera& from = file.model().cameras[std::size_t(node.camera)];
         SceneCamera camera;
         camera.name = cameraName(node, from, scene);
-        auto [eye, forward, up] = lookingFrom(nodes[k].world_from_node);
-        if (glm::length(glm::cross(forward, up)) < 1e-6) up = {forward.y, forward.z, forward.x};
-        camera.view_from_world = glm::lookAt(eye, eye + forward, up);
+        const auto& [eye, forward, up] = lookingFrom(nodes[k].world_from_node);
+        camera.view_from_world = viewAlong(eye, forward, up);
         camera.orthographic = from.type == "orthographic";
         const auto& [flat, deep] = std::tie(from.orthographic, from.perspective);
         if (std::abs(flat.ymag) > 0) camera.half_height = std::abs(flat.ymag);
@@ -205,11 +205,11 @@ void addLights(const GltfFile& file, const std::vector<PosedNode>& nodes, Scene&
         light.light.position = at.eye;
         light.light.direction = at.forward;
         light.light.attenuation = {0, 0, 1};
-        constexpr double kPi = 3.14159265358979323846;
-        const double outer = numberOf(member(spot, "outerConeAngle"), kPi / 4);
+        const double outer = numberOf(member(spot, "outerConeAngle"), glm::pi<double>() / 4);
         const double inner = numberOf(member(spot, "innerConeAngle"), 0);
         if (light.light.spot) {
-            light.light.outer_angle_rad = static_cast<float>(std::clamp(outer, 0.0, kPi));
+            light.light.outer_angle_rad =
+                static_cast<float>(std::clamp(outer, 0.0, glm::pi<double>()));
             light.light.inner_angle_rad = static_cast<float>(std::clamp(inner, 0.0, outer));
         }
         const double intensity = numberOf(member(from, "intensity"), 1);
