@@ -111,7 +111,7 @@ void RecordingDevice::setProgram(ProgramId id, const StateDesc& state)
 {
     record(Call::set_program, id.value,
            {static_cast<std::uint32_t>(state.depth_test), state.depth_write ? 1u : 0u,
-            static_cast<std::uint32_t>(state.cull)});
+            static_cast<std::uint32_t>(state.cull), state.blend ? 1u : 0u});
     if (!in_pass_) blame("setProgram outside a pass");
     Object* program = find(id, "setProgram");
     program_ = program ? id.value : 0;

@@ -88,7 +88,8 @@ std::string passText(const PassInfo& pass)
 std::string stateText(const std::uint32_t* words)
 {
     return std::string(" depth_test ") + kCompareNames[words[0]] +
-           (words[1] ? " depth_write" : "") + " cull " + kCullNames[words[2]];
+           (words[1] ? " depth_write" : "") + " cull " + kCullNames[words[2]] +
+           (words[3] ? " blend" : "");
 }
 
 }  // namespace

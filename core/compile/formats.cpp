@@ -132,6 +132,19 @@ void checkAttachments(State& state, const Pass& pass)
            *pass.desc, "pack them into fewer targets, or split the pass");
 }
 
+void checkBlending(State& state, const Pass& pass)
+{
+    for (const int target : pass.color) {
+        const FormatInfo& format = formatInfo(state.targets[target].format);
+        if (!pass.desc->state.blend || !state.targets[target].textured || format.filterable)
+            continue;
+        report(state, Code::cannot_filter,
+               quoted(pass) + " blends, and " + format.name + " of target '" +
+                   nameOf(state, target) + "' cannot be blended",
+               *pass.desc, "give the target a format of at most 16 bits a channel");
+    }
+}
+
 void checkSampling(State& state, const Pass& pass)
 {
     for (const Read& read : pass.reads) {
@@ -198,7 +211,7 @@ void checkFormats(State& state)
 {
     for (const Pass& pass : state.passes) {
         if (pass.active) checkAttachments(state, pass);
-        if (pass.live) checkSampling(state, pass);
+        if (pass.live) checkSampling(state, pass), checkBlending(state, pass);
         for (const BypassDesc& bypass : pass.desc->bypass)
             checkSubstitute(state, bypass, bypass.input);
     }

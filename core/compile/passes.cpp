@@ -205,13 +205,15 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
     result.name = desc.name;
     result.type = desc.type;
     result.program = addProgram(state, pass, plan);
+    result.blended = desc.blended;
     result.state = desc.state;
     if (state.traits.reversed_depth) result.state.depth_test = reversed(desc.state.depth_test);
     result.over = indexOf(plan.passes, desc.over.name);
     result.extent = state.options.extent;
     if (const std::vector<int> written = writtenBy(pass); !written.empty()) {
         result.extent = state.targets[written.front()].extent;
-        result.samples = state.targets[written.front()].samples;
+        // What it draws over was resolved by the pass before.
+        result.samples = result.over < 0 ? state.targets[written.front()].samples : 1;
     }
     if (state.applies("frustum_culling")) result.frustum_scale = frustumScale(state, pass);
     addInputs(state, pass, result, plan);

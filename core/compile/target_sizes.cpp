@@ -160,6 +160,7 @@ Extent sizeOf(const State& state, int target)
         const float scale = param ? param->value[0] : size.scale;
         const auto factor = size.border ? bordered : scaled;
         extent = {factor(extent.width, scale), factor(extent.height, scale)};
+        if (size.width > 0) extent = {size.width, size.height};
     }
     return extent;
 }
@@ -225,12 +226,6 @@ void chooseSamples(State& state)
         };
         if (attachmentsAgree(state, pass, Code::attachment_samples, "samples", asked))
             choose(state, pass, written);
-        for (const int target : written)
-            if (drawsOver(state, pass, target) && askedSamples(state, target) > 1)
-                report(state, Code::attachment_samples,
-                       quoted(pass) + " draws over target '" + nameOf(state, target) + "', which " +
-                           asked(target),
-                       pass.desc->over, "give it 1: samples are gone once they are resolved");
     }
 }
 

@@ -150,6 +150,11 @@ void fields(V& v, SizeDesc& s)
             range(smallestScale(s), kLargestScale));
     v.field("optional", s.optional,
             "Whether the param that `scale` names may be lacking: the scale then is 1.");
+    v.field("width", s.width, "Texels, of what has the same size for each output.",
+            range(1, 16384));
+    v.field("height", s.height, "Likewise.", range(1, 16384));
+    if (!v.has("height")) v.refuse("width", Code::missing_key, "there is no 'height'");
+    if (!v.has("width")) v.refuse("height", Code::missing_key, "there is no 'width'");
     if (!v.has("scale"))
         v.refuse("border", Code::bad_enum, "there is no 'scale' that adds a border");
 }
@@ -221,6 +226,9 @@ void fields(V& v, StateDesc& s)
             "depth.");
     v.field("depth_write", s.depth_write, "When absent: true for a draw pass with depth.");
     v.field("cull", s.cull, "Which faces of triangles are culled.");
+    v.field("blend", s.blend,
+            "What is drawn lies over what is there by its alpha, which its colour has been "
+            "multiplied by.");
 }
 
 /// The keys by which a pass says what need not be drawn.
@@ -271,6 +279,11 @@ void fields(V& v, PassDesc& p)
         "over", p.over,
         "The pass on whose outputs this one goes on to draw: where it draws nothing, they stay. "
         "Readers of them get what this pass leaves.");
+    v.field("blended", p.blended,
+            "Draws what materials say is seen through, from far to near; other draw passes draw "
+            "all but that.");
+    if (p.type != PassType::draw)
+        v.refuse("blended", Code::bad_enum, "a fullscreen pass has no geometry");
     v.field("clear", p.clear, "Values that attachments are cleared to before the pass draws.");
     v.field("when", p.when, "Features and traits that must hold for the pass to run.");
     v.field("bypass", p.bypass, "Which input replaces an output when the pass is off.");

@@ -162,9 +162,12 @@ bool isFinite(const glm::dvec3& vector) { return finite(&vector[0], 3); }
 
 bool isFinite(const Material& material)
 {
-    const float numbers[] = {material.shininess, material.ambient, material.alpha_cutoff,
-                             material.normal_scale, material.occlusion_strength};
-    return finite(&material.base_color[0], 4) && isFinite(material.specular) && finite(numbers, 5);
+    const float numbers[] = {material.shininess,          material.ambient,
+                             material.alpha_cutoff,       material.normal_scale,
+                             material.occlusion_strength, material.metallic,
+                             material.roughness,          material.reflectance};
+    return finite(&material.base_color[0], 4) && isFinite(material.specular) &&
+           isFinite(material.emission) && finite(numbers, int{std::size(numbers)});
 }
 
 bool isFinite(const Light& light)
@@ -216,7 +219,11 @@ bool Material::operator==(const Material& other) const
            specular == other.specular && shininess == other.shininess && ambient == other.ambient &&
            alpha_cutoff == other.alpha_cutoff && same(normal_map, other.normal_map) &&
            normal_scale == other.normal_scale && same(occlusion_map, other.occlusion_map) &&
-           occlusion_strength == other.occlusion_strength;
+           occlusion_strength == other.occlusion_strength && blended == other.blended &&
+           metallic == other.metallic && roughness == other.roughness &&
+           reflectance == other.reflectance && emission == other.emission &&
+           same(metallic_roughness_map, other.metallic_roughness_map) &&
+           same(emission_map, other.emission_map) && unlit == other.unlit;
 }
 
 bool DrawItem::operator==(const DrawItem& other) const
@@ -282,6 +289,9 @@ SceneTraits steadyTraitsOf(const Frame& frame)
         traits.normal_mapped |= bool(material.normal_map);
         traits.baked_occlusion |= bool(material.occlusion_map);
         traits.material_ambient |= material.ambient < 1.0f;
+        traits.blended |= material.blended;
+        traits.metal_mapped |= bool(material.metallic_roughness_map);
+        traits.emission_mapped |= bool(material.emission_map);
     }
     return traits;
 }

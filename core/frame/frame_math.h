@@ -165,7 +165,12 @@ Diagnostics warnElided(const Frame& frame, const Device& device);
     VALUE(shininess, float_, 1, ImportType::draw_list) \
     VALUE(material_ambient, float_, 1, ImportType::draw_list) \
     VALUE(normal_scale, float_, 1, ImportType::draw_list) \
-    VALUE(occlusion_strength, float_, 1, ImportType::draw_list)
+    VALUE(occlusion_strength, float_, 1, ImportType::draw_list) \
+    VALUE(metallic, float_, 1, ImportType::draw_list) \
+    VALUE(roughness, float_, 1, ImportType::draw_list) \
+    VALUE(reflectance, float_, 1, ImportType::draw_list) \
+    VALUE(emission, vec3, 1, ImportType::draw_list) \
+    VALUE(unlit, float_, 1, ImportType::draw_list)
 
 enum FrameValue : std::size_t {
 #define CREVICE_NAME(name, ...) name,
@@ -215,6 +220,9 @@ inline constexpr TraitInfo kTraits[] = {
     {"scene.normal_mapped", "SCENE_NORMAL_MAPPED", &SceneTraits::normal_mapped},
     {"scene.baked_occlusion", "SCENE_BAKED_OCCLUSION", &SceneTraits::baked_occlusion},
     {"scene.material_ambient", "SCENE_MATERIAL_AMBIENT", &SceneTraits::material_ambient},
+    {"scene.blended", "SCENE_BLENDED", &SceneTraits::blended},
+    {"scene.metal_mapped", "SCENE_METAL_MAPPED", &SceneTraits::metal_mapped},
+    {"scene.emission_mapped", "SCENE_EMISSION_MAPPED", &SceneTraits::emission_mapped},
 };
 
 /// A texture that a material may have.
@@ -227,6 +235,8 @@ inline constexpr MaterialMapInfo kMaterialMaps[] = {
     {"base_color_map", &Material::base_color_map},
     {"normal_map", &Material::normal_map},
     {"occlusion_map", &Material::occlusion_map},
+    {"metallic_roughness_map", &Material::metallic_roughness_map},
+    {"emission_map", &Material::emission_map},
 };
 
 }  // namespace crevice

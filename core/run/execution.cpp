@@ -360,9 +360,9 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
     const bool culls = pass.plan->frustum_scale > 0.0f;
     const ViewVolume volume = culls ? viewVolume(camera, pass.plan->frustum_scale) : ViewVolume();
     const std::vector<PlacedDraw>& placed = view_draws_.placed();
-    for (std::size_t i = 0; i < drawn_.draws.size(); ++i) {
+    for (const std::size_t i : view_draws_.drawnBy(*pass.plan)) {
         const DrawItem& item = drawn_.draws[i];
-        if (!drawsSomething(item) || (culls && isOutside(placed[i].sphere, volume))) continue;
+        if (culls && isOutside(placed[i].sphere, volume)) continue;
         const IndexRange sheets = drawn_.sheets[i];
         const bool sheet =
             isSheet(item, drawn_.materials[item.material]) || sheets.count == item.count;

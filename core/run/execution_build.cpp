@@ -186,7 +186,8 @@ Status Execution::createFramebuffer(PreparedPass& prepared, bool swapped)
         if (attachment.target < 0) return;
         const PlanTarget& target = plan_.targets[attachment.target];
         remembered = remembered || target.history_texture >= 0;
-        if (target.drawn_texture == target.texture) return;
+        // Of what was resolved, samples are gone: a pass that goes on draws on the result.
+        if (target.drawn_texture == target.texture || pass.over >= 0) return;
         read = std::exchange(drawn, texture(target.drawn_texture, prepared.view));
     };
     for (const PlanAttachment& color : pass.color)

@@ -134,6 +134,11 @@ void ValueTable::setDraw(const glm::dmat4& view_from_mesh, const Material& mater
     write(material_ambient, std::clamp(material.ambient, 0.0f, 1.0f));
     write(normal_scale, material.normal_map ? material.normal_scale : 0.0f);
     write(occlusion_strength, material.occlusion_strength);
+    write(metallic, material.metallic);
+    write(roughness, material.roughness);
+    write(reflectance, material.reflectance);
+    write(emission, material.emission);
+    write(unlit, material.unlit ? 1.0f : 0.0f);
 }
 
 void ValueTable::keepDraw(std::uint32_t* words) const

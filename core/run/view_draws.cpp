@@ -54,10 +54,25 @@ const std::vector<PlacedDraw>& ViewDraws::placed()
         PlacedDraw& placed = placed_[i];
         placed.view_from_model = camera_->view_from_world * item.world_from_model;
         placed.sphere = boundsInView(item, placed.view_from_model);
+        placed.blended = drawn_.materials[item.material].blended;
         placed.mirrored = mirrors(item.world_from_model) != view_mirrors;
         placed.valued = false;
     }
     return placed_;
+}
+
+const std::vector<std::size_t>& ViewDraws::drawnBy(const PlanPass& pass)
+{
+    const std::vector<PlacedDraw>& all = placed();
+    order_.clear();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (drawsSomething(drawn_.draws[i]) && all[i].blended == pass.blended) order_.push_back(i);
+    const auto farther = [&all](std::size_t a, std::size_t b) {
+        const double far = all[a].sphere.center.z, other = all[b].sphere.center.z;
+        return far != other ? far < other : a < b;
+    };
+    if (pass.blended) std::sort(order_.begin(), order_.end(), farther);
+    return order_;
 }
 
 const std::uint32_t* ViewDraws::values(std::size_t draw, ValueTable& table)
@@ -98,7 +113,7 @@ const ViewArea& ViewDraws::areaOfDraw(std::size_t draw)
 {
     if (draw < areas_.size()) return areas_[draw];
     const ViewSphere& sphere = placed_[draw].sphere;
-    if (!drawsSomething(drawn_.draws[draw]) || isOutside(sphere, volume_))
+    if (!drawsSomething(drawn_.draws[draw]) || placed_[draw].blended || isOutside(sphere, volume_))
         return areas_.emplace_back(kNoArea);
     return areas_.emplace_back(sphere.radius < 0.0 ? ViewArea()
                                                    : areaOf(sphere, camera_->clip_from_view));

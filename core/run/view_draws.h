@@ -28,6 +28,7 @@ struct DrawnList {
 struct PlacedDraw {
     glm::dmat4 view_from_model;
     ViewSphere sphere;
+    bool blended;   ///< Its material is: passes that are not leave it out.
     bool mirrored;  ///< Front faces come out as back faces: the item, view or projection mirrors.
     bool valued;    ///< Its values are computed.
 };
@@ -46,6 +47,9 @@ public:
     /// By draw. Of an item that draws nothing there is nothing in its place.
     const std::vector<PlacedDraw>& placed();
 
+    /// What a pass draws, by index: what is blended from far to near, or all else as it stands.
+    const std::vector<std::size_t>& drawnBy(const PlanPass& pass);
+
     /// The values of a draw, as ValueTable::keepDraw has them, until `begin`: computed, in that
     /// table, for the first pass that asks. Requires `placed`.
     const std::uint32_t* values(std::size_t draw, ValueTable& table);
@@ -63,6 +67,7 @@ private:
     bool is_placed_ = false;
     ViewVolume volume_ = {};
     std::vector<PlacedDraw> placed_;
+    std::vector<std::size_t> order_;
     std::vector<std::pair<double, ViewArea>> reached_;  // what `area` has answered, by reach
     std::vector<ViewArea> areas_;        // of the first draws, as far as anyone asked
     std::vector<std::uint32_t> values_;  // of all draws, one after the other

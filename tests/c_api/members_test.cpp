@@ -71,18 +71,30 @@ TEST_CASE_METHOD(CScene, "C API: each member of a material becomes that of a fra
     material.alpha_cutoff = 0.5f;
     material.normal_scale = 0.6f;
     material.occlusion_strength = 0.7f;
-    crevice_texture normals = texture, open = texture;
+    material.blended = true;
+    material.unlit = true;
+    material.metallic = 0.8f;
+    material.smoothness = 0.25f;
+    material.reflectance = 0.1f;
+    std::iota(material.emission, material.emission + 3, 0.5f);
+    crevice_texture normals = texture, open = texture, metals = texture, lamps = texture;
     normals.name = 6;
     open.name = 7;
+    metals.name = 8;
+    lamps.name = 9;
     material.base_color_map = &texture;
     material.normal_map = &normals;
     material.occlusion_map = &open;
+    material.metallic_roughness_map = &metals;
+    material.emission_map = &lamps;
     setMaterial();
     REQUIRE(frame().materials.size() == 1);
     const Material made = frame().materials[0];
     CHECK(recording->info(made.base_color_map).native_name == 5);
     CHECK(recording->info(made.normal_map).native_name == 6);
     CHECK(recording->info(made.occlusion_map).native_name == 7);
+    CHECK(recording->info(made.metallic_roughness_map).native_name == 8);
+    CHECK(recording->info(made.emission_map).native_name == 9);
     Material wanted = made;  // with its maps
     wanted.base_color = {0.125f, 1.125f, 2.125f, 3.125f};
     wanted.specular = {0.25f, 1.25f, 2.25f};
@@ -91,6 +103,12 @@ TEST_CASE_METHOD(CScene, "C API: each member of a material becomes that of a fra
     wanted.alpha_cutoff = 0.5f;
     wanted.normal_scale = 0.6f;
     wanted.occlusion_strength = 0.7f;
+    wanted.blended = true;
+    wanted.unlit = true;
+    wanted.metallic = 0.8f;
+    wanted.roughness = 0.75f;
+    wanted.reflectance = 0.1f;
+    wanted.emission = {0.5f, 1.5f, 2.5f};
     CHECK(made == wanted);
 }
 

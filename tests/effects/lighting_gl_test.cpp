@@ -224,3 +224,103 @@ TEST_CASE_METHOD(Lighting, "Forward lighting draws what deferred lighting draws"
         CHECK(meanChange(draw(forward.description(overrides), seen, "color"), deferred) < 0.004);
     }
 }
+
+TEST_CASE_METHOD(Lighting,
+                 "What is blended takes and casts no AO and covers by its alpha, far first")
+{
+    const auto encoded = [](float linear) { return 1.055 * std::pow(linear, 1 / 2.4) - 0.055; };
+    Frame clear = frame("eye=0,2,4;at=0,0.3,0;fov=40");
+    clear.lights.clear();
+    clear.ambient_light = glm::vec3(1.0f);
+    // Spheres about the eye's axis: green before red, and one behind the ground.
+    Frame panes = clear;
+    const auto add = [&](const glm::vec4& color, const glm::dvec3& at) {
+        DrawItem item = clear.draws.back();
+        item.world_from_model = glm::scale(glm::translate(glm::dmat4(1), at), glm::dvec3(0.3));
+        item.material = static_cast<int>(panes.materials.size());
+        panes.draws.push_back(item);
+        panes.materials.emplace_back().base_color = color;
+        panes.materials.back().blended = true;
+    };
+    add({0.2f, 0.6f, 0.1f, 0.5f}, {0, 1.575, 3});
+    add({0.7f, 0.1f, 0.1f, 0.25f}, {0, 1.15, 2});
+    add({1, 1, 1, 1}, {0, -9, -3});
+    const std::size_t count = panes.draws.size();
+    Frame turned = panes;
+    std::swap(turned.draws[count - 3], turned.draws[count - 2]);
+    for (const std::string config : {"sphere_box", "mobile_low", "mobile_low, four samples"}) {
+        INFO(config);
+        const bool samples = config.size() > 12;
+        const auto drawn = [&](const Frame& seen, const char* output) {
+            std::vector<std::string> overrides = {"ambient=1"};
+            if (samples) overrides.emplace_back("msaa=4");
+            return draw(descriptionOf({samples ? "mobile_low" : config}, overrides), seen, output);
+        };
+        CHECK(meanChange(drawn(panes, "ao"), drawn(clear, "ao")) == 0);
+        const Image under = drawn(clear, "color"), over = drawn(panes, "color");
+        CHECK(meanChange(drawn(turned, "color"), over) == 0);
+        CHECK(over.at(2, 70) == under.at(2, 70));
+        for (int channel = 0; channel < 3; ++channel) {
+            const double red = channel == 0 ? 0.7 : 0.1, green[] = {0.2, 0.6, 0.1};
+            const double behind = 0.75 * under.at(64, 36, channel) + 0.25 * encoded(float(red));
+            const double seen = 0.5 * behind + 0.5 * encoded(float(green[channel]));
+            CHECK(over.at(64, 36, channel) == Approx(seen).margin(2.0 / 255));
+        }
+    }
+}
+
+TEST_CASE_METHOD(Lighting,
+                 "Metallic-roughness keeps the light of a furnace, and adds a surface's own")
+{
+    const auto shown = [&](const std::string& ao, const auto& change,
+                           std::vector<std::string> overrides = {}) {
+        overrides.insert(overrides.end(), {"tone_mapping=none", "sky_color=[0.5,0.5,0.5]",
+                                           "ground_color=[0.5,0.5,0.5]", "ambient=1"});
+        const auto changed = [&](Frame& frame) {
+            frame.lights.clear();
+            frame.ambient_light = glm::vec3(1.0f);
+            for (Material& material : frame.materials) {
+                material.base_color = {1, 1, 1, 1};
+                change(material);
+            }
+        };
+        const double seen =
+            lit(ao, overrides, "metallic_roughness", "depth_normal", changed).at(64, 30);
+        return std::pow((seen + 0.055) / 1.055, 2.4);
+    };
+    for (const float roughness : {0.0f, 0.3f, 0.6f, 1.0f}) {
+        INFO("roughness " << roughness);
+        const auto surface = [roughness](float metallic) {
+            return [=](Material& material) {
+                material.metallic = metallic;
+                material.roughness = roughness;
+            };
+        };
+        CHECK(shown("1.0", surface(0)) == Approx(0.5).margin(0.01));
+        CHECK(shown("1.0", surface(1)) == Approx(0.5).margin(0.01));
+        CHECK(shown("0.0", surface(0)) < 0.02);
+    }
+    const auto glows = [](Material& material) { material.emission = glm::vec3(0.25f); };
+    CHECK(shown("0.0", glows, {"ambient=0"}) == Approx(0.25).margin(0.01));
+    const auto unlit = [](Material& material) {
+        material.unlit = true;
+        material.base_color = {0.3f, 0.3f, 0.3f, 1};
+    };
+    CHECK(shown("0.0", unlit) == Approx(0.3).margin(0.01));
+}
+
+TEST_CASE_METHOD(Lighting,
+                 "AO of no strength, of floor 1, white or faded out is none in the lit picture")
+{
+    for (const std::string lighting : {"deferred", "forward"}) {
+        INFO(lighting);
+        const Image none = lit("0.25", {"display=no_ao"}, lighting);
+        CHECK(meanChange(lit("0.25", {}, lighting), none) > 0.02);
+        for (const char* param :
+             {"ao_strength=0", "ao_floor=1", "ao_color=[1,1,1]", "ao_fade=1e-3"})
+            CHECK(meanChange(lit("0.25", {param}, lighting), none) == 0);
+        CHECK(meanChange(lit("0.25", {"ao_floor=0.5"}, lighting), lit("0.5", {}, lighting)) <
+              0.002);
+        CHECK(meanChange(lit("0.25", {"ao_fade=1e3"}, lighting), lit("0.25", {}, lighting)) == 0);
+    }
+}

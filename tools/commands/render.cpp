@@ -114,8 +114,8 @@ Result<double> redraw(const RenderOptions& options, Session& session, Descriptio
     if (!outputs) return outputs.diagnostics();
     CompileOptions compile_options = session.options;
     compile_options.outputs = *outputs;
-    Result<HostTextures> host = HostTextures::make(*session.open.device, description,
-                                                   compile_options.extent, session.frame);
+    Result<HostTextures> host = HostTextures::make(
+        *session.open.device, description, compile_options.extent, session.frame, options.textures);
     if (!host) return host.diagnostics();
     if (const Status right = checkShaders(session, description, compile_options); !right)
         return right.diagnostics();
@@ -285,6 +285,9 @@ void addPictureImports(CLI::App& app, HostPictureOptions& options)
 
 void addPictureOptions(CLI::App& app, RenderOptions& options)
 {
+    addList(app, "--texture", options.textures, "NAME=FILE",
+            "A picture for a texture that the config imports, such as environment=sky.hdr of "
+            "lighting/metallic_roughness; may be repeated");
     addList(app, "--out", options.out, "NAME=FILE",
             "What to write where: an output, a debug view or a target (target.NAME where an output "
             "has that name), to .png, .pfm or .exr; may be repeated; with --host-depth ao=ao.png "

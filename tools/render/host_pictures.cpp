@@ -51,16 +51,6 @@ Format formatOf(const std::string& name, const Image& image)
     return name == "normal" ? Format::rgba16f : name == "position" ? Format::rgba32f : Format::r32f;
 }
 
-/// The picture with the channels of its texture.
-Image fitted(const Image& from, int channels)
-{
-    Image to(from.extent, channels, 1.0f);
-    for (std::size_t k = 0; k < to.pixels.size() / channels; ++k)
-        std::copy_n(&from.pixels[k * from.channels], std::min(from.channels, channels),
-                    &to.pixels[k * channels]);
-    return to;
-}
-
 Result<glm::mat4> matrixFrom(const std::string& text)
 {
     glm::mat4 matrix;
@@ -165,7 +155,7 @@ Status HostPictures::upload(Device& device, Frame& frame)
         const auto texture = device.createTexture({name, format, image.extent});
         if (!texture) return texture.diagnostics();
         textures_.emplace_back(device, *texture);
-        const Image pixels = fitted(image, formatInfo(format).channels);
+        const Image pixels = withChannels(image, formatInfo(format).channels);
         if (Status written = device.writeTexture(*texture, pixels); !written) return written;
         frame.textures.push_back({name, *texture});
     }

@@ -48,52 +48,78 @@ bool lacks(const Frame& scene, const ImportDesc& import)
     return import.type == ImportType::texture && !findNamed(scene.textures, import.name);
 }
 
-/// Where a picture for the import would be; empty for an import of a shipped module.
-std::string pictureOf(const ImportDesc& import)
+}  // namespace
+
+Status HostTextures::readPicture(Device& device, const ImportDesc& import, const std::string& path)
+{
+    const Result<Image> image = readImage(path);
+    if (!image) return image.diagnostics();
+    const Format format = formatFromName(import.format);
+    const auto texture = device.createTexture({import.name, format, image->extent});
+    if (!texture) return texture.diagnostics();
+    pictures_.push_back({import.name, Owned<TextureId>(device, *texture)});
+    return device.writeTexture(*texture, withChannels(*image, formatInfo(format).channels));
+}
+
+/// Where there is no such file, nothing comes of it: the renderer reports a texture that lacks.
+/// An import of a shipped module has no folder.
+Status HostTextures::readBeside(Device& device, const ImportDesc& import)
 {
     const SourceRef& source = import.place.source;
     if (!source || !source->path.empty()) return {};
-    return std::filesystem::path(source->name).replace_filename(import.name + ".png").string();
+    for (const char* const extension : {".png", ".hdr", ".exr"}) {
+        const std::string path =
+            std::filesystem::path(source->name).replace_filename(import.name + extension).string();
+        if (const Status allowed = mayName(*source, path); !allowed) {
+            Diagnostic error = allowed.diagnostics().front();
+            error.place = import.place;
+            error.pointer = import.pointer;
+            return error;
+        }
+        if (!readStart(path, 0).missing) return readPicture(device, import, path);
+    }
+    return {};
 }
 
-}  // namespace
-
-/// Where there is no such file, nothing comes of it: the renderer reports a texture that lacks.
-Status HostTextures::readPicture(Device& device, const ImportDesc& import)
+Status HostTextures::readFiles(Device& device, const Description& description,
+                               const std::vector<std::string>& files)
 {
-    const std::string path = pictureOf(import);
-    if (path.empty()) return {};
-    if (const Status allowed = mayName(*import.place.source, path); !allowed) {
-        Diagnostic error = allowed.diagnostics().front();
-        error.place = import.place;
-        error.pointer = import.pointer;
-        return error;
+    for (const std::string& text : files) {
+        const std::size_t equals = std::min(text.find('='), text.size());
+        const ImportDesc* import = findNamed(description.imports, text.substr(0, equals));
+        if (!import || import->type != ImportType::texture || equals == text.size()) {
+            std::vector<std::string> names;
+            for (const ImportDesc& each : description.imports)
+                if (each.type == ImportType::texture) names.push_back(each.name + "=FILE");
+            return Diagnostic{Code::usage,
+                              "--texture '" + text + "' is for no import of the config",
+                              names.empty() ? "the config imports no textures"
+                                            : "write --texture " + joined(names)};
+        }
+        if (const Status read = readPicture(device, *import, text.substr(equals + 1)); !read)
+            return read;
     }
-    if (readStart(path, 0).missing) return {};
-    const Result<Image> image = readImage(path);
-    if (!image) return image.diagnostics();
-    const auto texture =
-        device.createTexture({import.name, formatFromName(import.format), image->extent});
-    if (!texture) return texture.diagnostics();
-    pictures_.push_back({import.name, Owned<TextureId>(device, *texture)});
-    return device.writeTexture(*texture, *image);
+    return {};
 }
 
 Result<HostTextures> HostTextures::make(Device& device, const Description& description,
-                                        Extent extent, const Frame& scene)
+                                        Extent extent, const Frame& scene,
+                                        const std::vector<std::string>& files)
 {
     const std::vector<ImportDesc>& imports = description.imports;
+    HostTextures textures;
+    if (const Status read = textures.readFiles(device, description, files); !read)
+        return read.diagnostics();
     if (!anyOf(imports, [&](const ImportDesc& each) { return lacks(scene, each); }))
-        return HostTextures();
+        return textures;
     Result<Description> host = loadDescription({kHostModule, {}, {}, {}}, shippedSources());
     if (!host) return host.diagnostics();
-    HostTextures textures;
     bool draws = false;
     for (const ImportDesc& import : imports) {
         draws |= import.type == ImportType::draw_list;
-        if (!lacks(scene, import)) continue;
+        if (!lacks(scene, import) || findNamed(textures.pictures_, import.name)) continue;
         if (!findNamed(host->outputs, import.name)) {
-            if (const Status read = textures.readPicture(device, import); !read)
+            if (const Status read = textures.readBeside(device, import); !read)
                 return read.diagnostics();
             continue;
         }

@@ -10,16 +10,19 @@
 namespace crevice {
 
 /// Draws depth, normals, distances or positions of a scene, of which it knows `depth`, `normal`,
-/// `linear_depth`, `log_depth` and `position`. Another texture, such as a tile of noise, is
-/// NAME.png in the folder of the file that declares the import. The device must outlive it.
+/// `linear_depth`, `log_depth` and `position`. Another texture, such as a tile of noise, is one of
+/// the `files`, NAME=FILE, or NAME.png, .hdr or .exr in the folder of the file that declares the
+/// import. The device must outlive it.
 class HostTextures {
 public:
     /// For what the description imports of these and the frame does not have, each in the import's
     /// format where the device draws to that; where that is nothing, nothing is made. Errors: those
-    /// of Renderer::create and Device::createTexture; CV7005 for a picture that is broken,
-    /// CV1204 for one that lies, after links, outside of the config's roots.
+    /// of Renderer::create and Device::createTexture; CV7005 for a picture that is broken, CV8001
+    /// for a file of no import, CV1204 for one that lies, after links, outside of the config's
+    /// roots.
     static Result<HostTextures> make(Device& device, const Description& description, Extent extent,
-                                     const Frame& scene);
+                                     const Frame& scene,
+                                     const std::vector<std::string>& files = {});
 
     /// The frame that such a host hands over: its cameras and lights, with the textures, drawn now,
     /// and the draws only where the description imports them. Holds until the next. Errors: those
@@ -32,7 +35,10 @@ private:
         Owned<TextureId> texture;
     };
 
-    Status readPicture(Device& device, const ImportDesc& import);
+    Status readPicture(Device& device, const ImportDesc& import, const std::string& path);
+    Status readBeside(Device& device, const ImportDesc& import);
+    Status readFiles(Device& device, const Description& description,
+                     const std::vector<std::string>& files);
 
     std::vector<Picture> pictures_;
     std::unique_ptr<Renderer> renderer_;  // null where nothing is drawn

@@ -70,6 +70,13 @@ Status UploadedScene::uploadTextures(Device& device, const Scene& scene)
         material.normal_scale = from.normal_scale;
         material.occlusion_map = textureOf(from.occlusion_texture);
         material.occlusion_strength = from.occlusion_strength;
+        material.metallic = from.metallic;
+        material.roughness = from.roughness;
+        material.reflectance = from.reflectance;
+        material.metallic_roughness_map = textureOf(from.metallic_roughness_texture);
+        material.emission = from.emission;
+        material.emission_map = textureOf(from.emission_texture);
+        material.unlit = from.unlit;
         frame_.materials.push_back(material);
     }
     return {};
@@ -88,12 +95,17 @@ Status UploadedScene::uploadMeshes(Device& device, const Scene& scene)
         items.back().count = static_cast<std::uint32_t>(mesh.indices.size());
         setBounds(items.back(), mesh);
     }
-    for (const SceneInstance& instance : scene.instances) {
+    const auto draw = [&](const SceneInstance& instance) {
         DrawItem item = items[instance.mesh];
-        if (!item.mesh) continue;
+        if (!item.mesh) return;
         item.world_from_model = instance.world_from_model;
         item.material = instance.material;
         frame_.draws.push_back(item);
+    };
+    for (const SceneInstance& each : scene.instances) draw(each);
+    for (const SceneInstance& each : scene.blended) {
+        draw(each);
+        frame_.materials[each.material].blended = true;
     }
     return {};
 }

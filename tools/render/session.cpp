@@ -121,7 +121,8 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     const Result<std::string> lengths = fitToView(session, description);
     if (!lengths) return lengths.diagnostics();
     session.lengths = *lengths;
-    Result<HostTextures> host = HostTextures::make(device, description, view.extent, session.frame);
+    Result<HostTextures> host =
+        HostTextures::make(device, description, view.extent, session.frame, options.textures);
     if (!host) return host.diagnostics();
     session.host = std::move(*host);
     const Result<Frame> frame = session.host->frameOf(session.frame);

@@ -26,6 +26,7 @@ struct RenderOptions {
     std::string backend;
     std::string precision;
     std::string program_cache;
+    std::vector<std::string> textures;  ///< --texture: NAME=FILE, for imports of the config.
     std::vector<std::string> out = {"color=color.png"};
     std::vector<std::string> disable;
     std::string save_patch;

@@ -85,6 +85,33 @@ Diagnostic nothingToMeasure()
             "give the length in scene units or as a share of the scene, or move --camera"};
 }
 
+// What the scene's materials have and the plan's lighting does not show.
+std::optional<Diagnostic> unlitMaterials(const Plan& plan, const Scene& scene)
+{
+    const auto reads = [&](const char* uniform) {
+        return anyOf(plan.passes, [&](const PlanPass& pass) {
+            return findNamed(pass.uniforms, uniform) != nullptr;
+        });
+    };
+    if (!reads("ambient_light") || reads("emission")) return std::nullopt;
+    std::vector<std::string> parts;
+    const auto add = [&](const char* what, auto has) {
+        if (anyOf(scene.materials, has)) parts.emplace_back(what);
+    };
+    using Each = const SceneMaterial&;
+    add("metalness and roughness", [](Each m) {
+        return m.metallic > 0 || m.metallic_roughness_texture >= 0 ||
+               (m.roughness < 1 && m.specular == glm::vec3(0.0f));  // no highlight says so
+    });
+    add("emission", [](Each m) { return m.emission != glm::vec3(0.0f); });
+    add("materials without lighting", [](Each m) { return m.unlit; });
+    if (parts.empty()) return std::nullopt;
+    return asWarning(
+        {Code::scene_features,
+         "the lit picture of '" + scene.name + "' does not show " + joined(parts, " and "),
+         "occlusion needs none of it; " + plan.config + "+lighting/metallic_roughness shows it"});
+}
+
 }  // namespace
 
 Result<std::string> resolveLengths(Description& description, const Camera& camera, Extent extent,
@@ -131,8 +158,10 @@ double pixelsOf(double length, double distance, const Camera& camera, Extent ext
     return length * scale / (camera.orthographic() ? 1.0 : distance);
 }
 
-Diagnostics checkView(const Description& description, const Plan& plan, const Scene& scene,
-                      const Camera& camera, std::optional<double> distance, const Image* ao)
+namespace {
+
+Diagnostics checkOcclusion(const Description& description, const Plan& plan, const Scene& scene,
+                           const Camera& camera, std::optional<double> distance, const Image* ao)
 {
     if (!distance) return {nothingSeen(scene, plan.extent)};
     if (std::optional<Diagnostic> constant = constantByPlan(plan)) return {*constant};
@@ -169,6 +198,16 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
              size + ", too few for occlusion at " + figure(rounded(share)) + " of the resolution",
              "try --set ao_scale=1, or a config at full resolution such as gtao"})};
     return {};
+}
+
+}  // namespace
+
+Diagnostics checkView(const Description& description, const Plan& plan, const Scene& scene,
+                      const Camera& camera, std::optional<double> distance, const Image* ao)
+{
+    Diagnostics found = checkOcclusion(description, plan, scene, camera, distance, ao);
+    if (std::optional<Diagnostic> unlit = unlitMaterials(plan, scene)) found.push_back(*unlit);
+    return found;
 }
 
 Result<double> medianDistance(const Scene& shown, const SceneCamera& camera, Extent extent,

@@ -53,8 +53,8 @@ enum class Code : int {
     attachment_kind = 2207,     ///< A depth format as colour, or a colour format as depth.
     bypass_class = 2208,        ///< A bypass has depth stand in for colour, or the reverse.
     output_missing = 2209,      ///< An output that the config does not export was asked for.
-    attachment_samples = 2210,  ///< Attachments differ in samples, or several are drawn over.
-    cannot_filter = 2211,       ///< A linear read of a format that no device filters.
+    attachment_samples = 2210,  ///< Attachments differ in samples.
+    cannot_filter = 2211,       ///< A linear read, or a blend, of a format that no device filters.
     dead_pass = 2212,  ///< A pass that no output needs, whichever is asked for (a warning).
 
     // keys and types

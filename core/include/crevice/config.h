@@ -84,8 +84,9 @@ constexpr double kSmallestScale = 1.0 / 64.0;
 constexpr double kLargestScale = 4.0;
 
 /// How large a target is in each direction: max(1, ceil(followed * scale)); with `border`
-/// followed + 2 * ceil(followed * (scale - 1) / 2).
+/// followed + 2 * ceil(followed * (scale - 1) / 2); or so many texels.
 struct SizeDesc {
+    int width = 0, height = 0;  ///< Texels, [1, 16384], whatever it follows; 0 for what that is.
     Reference of = {};  ///< Another target; empty, or an imported texture, follows the output.
     Reference scale_param = {};  ///< The param that gives the scale; empty when `scale` does.
     bool optional = false;       ///< The param may be lacking: the scale then is 1.
@@ -170,7 +171,8 @@ struct PassDesc : Named {
     Reference shader = {};
     std::vector<Reference> color = {};  ///< In the order of the shader's output locations.
     Reference depth = {};
-    Reference over = {};  ///< The pass on whose outputs this one goes on to draw.
+    Reference over = {};   ///< The pass on whose outputs this one goes on to draw.
+    bool blended = false;  ///< Draws what is blended, from far to near; others draw all else.
     std::vector<ClearDesc> clear = {};
     std::vector<Condition> when = {};  ///< All of which must hold.
     std::vector<BypassDesc> bypass = {};

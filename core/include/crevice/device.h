@@ -77,6 +77,8 @@ struct StateDesc {
     Compare depth_test = Compare::always;  ///< A draw pass with a depth target defaults to less.
     bool depth_write = false;              ///< ... and to true.
     Cull cull = Cull::none;
+    /// What is drawn lies over what is there by its alpha, which its colour has been multiplied by.
+    bool blend = false;
 };
 
 /// An object of any kind, for `Device::destroy`.

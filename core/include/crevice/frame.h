@@ -11,8 +11,9 @@
 //   draw list  mat4 clip_from_model, view_from_model; mat3 view_normal_from_model (inverse
 //              transpose); vec4 base_color; float alpha_cutoff; vec3 specular; float shininess;
 //              float material_ambient, normal_scale (0 without a map), occlusion_strength;
-//              sampler2D base_color_map, normal_map, occlusion_map (white when the material has
-//              none)
+//              float metallic, roughness, reflectance, unlit; vec3 emission;
+//              sampler2D base_color_map, normal_map, occlusion_map, metallic_roughness_map,
+//              emission_map (white when the material has none)
 //   lights     int light_count; vec4 light_position[MAX_LIGHTS] (w 1: a point, w 0: the direction
 //              towards the light); vec3 light_color[MAX_LIGHTS];
 //              vec3 light_attenuation[MAX_LIGHTS] (1 / (x + y d + z d^2));
@@ -113,6 +114,15 @@ struct Material {
     float normal_scale = 1.0f;        ///< Of the map's x and y.
     TextureId occlusion_map = {};     ///< Baked visibility in red; null is open.
     float occlusion_strength = 1.0f;  ///< [0, 1]; 0 is open.
+    bool blended = false;  ///< Seen through by its alpha: takes no occlusion and casts none.
+    // What lighting/metallic_roughness reads beside base_color, after glTF.
+    float metallic = 0.0f;      ///< [0, 1]
+    float roughness = 1.0f;     ///< [0, 1]
+    float reflectance = 0.04f;  ///< What is no metal reflects of light from ahead, [0, 1].
+    TextureId metallic_roughness_map = {};  ///< Roughness in green, metallic in blue, as factors.
+    glm::vec3 emission = glm::vec3(0.0f);   ///< Light of its own, linear, >= 0.
+    TextureId emission_map = {};            ///< Null means white.
+    bool unlit = false;                     ///< Shows base_color as it is, without any light.
 
     bool operator==(const Material& other) const;
 };
@@ -256,6 +266,9 @@ struct SceneTraits {
     bool normal_mapped = false;     ///< scene.normal_mapped: some material has a normal_map
     bool baked_occlusion = false;   ///< scene.baked_occlusion: some material has an occlusion_map
     bool material_ambient = false;  ///< scene.material_ambient: some `ambient` is below 1
+    bool blended = false;           ///< scene.blended: some material is
+    bool metal_mapped = false;      ///< scene.metal_mapped: some has a metallic_roughness_map
+    bool emission_mapped = false;   ///< scene.emission_mapped: some has an emission_map
     int views = 1;                  ///< camera.views
     CameraRange camera = {};        ///< Formats are chosen by it, and no condition sees it.
     DrawRange draws = {};           ///< Plans warn by it; no condition and no comparison sees it.

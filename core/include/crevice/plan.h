@@ -88,8 +88,9 @@ struct PlanPass {
     bool has_depth = false;
     PlanAttachment depth;  ///< Written; or only tested, where its load is LoadOp::load.
     Extent extent;
-    int over = -1;    ///< Into Plan::passes: the one on whose outputs it draws; -1: none.
-    int samples = 1;  ///< Of each attachment's pixels.
+    int over = -1;         ///< Into Plan::passes: the one on whose outputs it draws; -1: none.
+    int samples = 1;       ///< Of each attachment's pixels.
+    bool blended = false;  ///< Draws what is blended, and nothing else.
     StateDesc state;
     float frustum_scale = 0;    ///< Sizes of the view; what lies outside is not drawn. 0: all is.
     bool scissor = false;       ///< It is drawn within the bounds of the frame's draws alone ...

@@ -12,9 +12,9 @@ namespace {
 
 /// In the order of kMaterialMaps.
 constexpr const crevice_texture* crevice_material::*kGivenMaps[] = {
-    &crevice_material::base_color_map,
-    &crevice_material::normal_map,
-    &crevice_material::occlusion_map,
+    &crevice_material::base_color_map, &crevice_material::normal_map,
+    &crevice_material::occlusion_map,  &crevice_material::metallic_roughness_map,
+    &crevice_material::emission_map,
 };
 static_assert(std::size(kGivenMaps) == std::size(kMaterialMaps));
 
@@ -69,6 +69,12 @@ Material materialOf(const crevice_material& given)
     material.alpha_cutoff = given.alpha_cutoff;
     set(given.normal_scale, material.normal_scale);
     set(given.occlusion_strength, material.occlusion_strength);
+    material.blended = given.blended;
+    material.metallic = given.metallic;
+    material.roughness = 1.0f - given.smoothness;
+    set(given.reflectance, material.reflectance);
+    material.emission = glm::make_vec3(given.emission);
+    material.unlit = given.unlit;
     return material;
 }
 

@@ -34,6 +34,16 @@ vec4 materialAlbedo(vec2 at)
     return vec4(color.rgb, max(specular.r, max(specular.g, specular.b)));
 }
 
+// How much it hides of what lies behind.
+float materialAlpha(vec2 at)
+{
+    float alpha = base_color.a;
+#if SCENE_TEXTURED
+    alpha *= texture(base_color_map, at).a;
+#endif
+    return clamp(alpha, 0.0, 1.0);
+}
+
 // The unit normal of the triangle, on the side that the camera sees.
 highp vec3 planeOf(highp vec3 at)
 {

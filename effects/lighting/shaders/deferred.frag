@@ -24,7 +24,7 @@ uniform mediump sampler2D ambient_factor;
 #endif
 #include "common/guard_band.glsl"
 #include "lighting/shaders/shade.glsl"
-#include "lighting/shaders/srgb.glsl"
+#include "lighting/shaders/display.glsl"
 #include <surface>
 
 uniform mediump sampler2D albedo;
@@ -101,7 +101,7 @@ void main()
     s.normal = normalAt(uv);
 #endif
 #if DISPLAY == DISPLAY_LIT
-    float open = texture(visibility, uv).r;
+    float open = shownOpen(texture(visibility, uv).r, length(s.point));
 #else
     float open = 1.0;
 #endif
@@ -114,6 +114,6 @@ void main()
 #if DISPLAY == DISPLAY_LIT && INDIRECT
     light += s.albedo * texture(indirect_filtered, uv).rgb;
 #endif
-    color = vec4(srgbFromLinear(light), 1.0);
+    color = vec4(displayed(light), 1.0);
 #endif
 }

@@ -49,7 +49,7 @@ bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider)
 PixelArea pixelsOf(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
                    const Extent& extent, double length)
 {
-    const DrawnList drawn = {draws, {}, {}};
+    const DrawnList drawn = {draws, {}, {Material()}};
     ViewDraws view(drawn);
     view.begin(camera);
     return pixelsOf(view.area(extent, length), extent);

@@ -149,15 +149,16 @@ Result<Image> decodePfm(std::string_view bytes, const std::string& name)
     return image;
 }
 
-// stb gives rows from the top down.
-Image imageFromRows(const stbi_us* rows, Extent extent, int channels)
+// stb gives rows from the top down; `one` is what it gives for 1.
+template <class Number>
+Image imageFromRows(const Number* rows, Extent extent, int channels, float one = 65535.0f)
 {
     Image image(extent, channels);
     const std::size_t row_size = static_cast<std::size_t>(extent.width) * channels;
     for (int y = 0; y < extent.height; ++y) {
-        const stbi_us* from = rows + (extent.height - 1 - y) * row_size;
+        const Number* from = rows + (extent.height - 1 - y) * row_size;
         float* to = &image.pixels[y * row_size];
-        for (std::size_t k = 0; k < row_size; ++k) to[k] = from[k] / 65535.0f;
+        for (std::size_t k = 0; k < row_size; ++k) to[k] = from[k] / one;
     }
     return image;
 }
@@ -182,6 +183,13 @@ Result<Image> decodeByStb(std::string_view bytes, const std::string& name, doubl
     if (stbi_info_from_memory(data, size, &extent.width, &extent.height, &channels))
         if (const Status fits = checkImageSize(name, extent, channels, most_pixels); !fits)
             return fits.diagnostics();
+    if (stbi_is_hdr_from_memory(data, size)) {
+        const std::unique_ptr<float, void (*)(void*)> light(
+            stbi_loadf_from_memory(data, size, &extent.width, &extent.height, &channels, 0),
+            stbi_image_free);
+        if (!light) return brokenImage(name, stbi_failure_reason());
+        return imageFromRows(light.get(), extent, channels, 1.0f);
+    }
     // Of 8 bits it makes the 257-fold, which is the same part of the whole.
     const std::unique_ptr<stbi_us, void (*)(void*)> rows(
         stbi_load_16_from_memory(data, size, &extent.width, &extent.height, &channels, 0),
@@ -228,6 +236,15 @@ Result<Image> decodeWebp(std::string_view bytes, const std::string& name, double
 }
 
 }  // namespace
+
+Image withChannels(const Image& image, int channels)
+{
+    Image to(image.extent, channels, 1.0f);
+    for (std::size_t k = 0; k < to.pixels.size() / channels; ++k)
+        std::copy_n(&image.pixels[k * image.channels], std::min(image.channels, channels),
+                    &to.pixels[k * channels]);
+    return to;
+}
 
 std::string lowerExtension(const std::string& path)
 {

@@ -70,7 +70,9 @@ Json geometryOf(const Scene& scene)
 
 Result<Json> inspectScene(const std::string& name, const ImportOptions& options)
 {
-    const Result<Scene> scene = loadScene(name, options);
+    ImportOptions whole = options;
+    whole.blended_solid = true;
+    const Result<Scene> scene = loadScene(name, whole);
     if (!scene) return scene.diagnostics();
     Json all = geometryOf(*scene);
     for (const char* list : {"materials", "textures", "cameras", "lights", "left_out"})
@@ -79,7 +81,9 @@ Result<Json> inspectScene(const std::string& name, const ImportOptions& options)
         Json textures = Json::object();
         for (const auto& [use, index] : {std::pair("colour", each.base_color_texture),
                                          {"normal", each.normal_texture},
-                                         {"occlusion", each.occlusion_texture}})
+                                         {"occlusion", each.occlusion_texture},
+                                         {"metal", each.metallic_roughness_texture},
+                                         {"emission", each.emission_texture}})
             if (index >= 0) textures[use] = scene->textures[index].name;
         all["materials"].push_back({{"name", each.name},
                                     {"cut_out", each.alpha_cutoff > 0},

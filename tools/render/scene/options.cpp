@@ -41,11 +41,10 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
         ->check(CLI::IsMember({"y", "z"}));
     app.add_option_function<std::string>(
            "--blended", [&options](Word way) { options.blended_solid = way == "solid"; },
-           "Surfaces that are seen through (glass; glTF's BLEND): left out, since they take and "
-           "cast "
-           "no occlusion, or drawn solid. Default: out")
-        ->type_name("out|solid")
-        ->check(CLI::IsMember({"out", "solid"}));
+           "Surfaces that are seen through (glass; glTF's BLEND): drawn over the lit picture, so "
+           "that they take and cast no occlusion, or as others are. Default: over")
+        ->type_name("over|solid")
+        ->check(CLI::IsMember({"over", "solid"}));
 }
 
 void addSceneOption(CLI::App& app, std::string& scene)

@@ -36,6 +36,13 @@ struct SceneMaterial {
     int occlusion_texture = -1;            ///< Into Scene::textures; baked visibility in red.
     float occlusion_strength = 1.0f;       ///< [0, 1]; 0 is open.
     bool blended = false;                  ///< Seen through: it takes and casts no occlusion.
+    float metallic = 0.0f;                 ///< [0, 1]
+    float roughness = 1.0f;                ///< [0, 1]
+    float reflectance = 0.04f;             ///< Of what is no metal, from ahead.
+    int metallic_roughness_texture = -1;   ///< Into Scene::textures; in blue and green, factors.
+    glm::vec3 emission = glm::vec3(0.0f);  ///< Linear, >= 0; times the texture.
+    int emission_texture = -1;             ///< Into Scene::textures.
+    bool unlit = false;                    ///< Shows its colour as it is, without any light.
 };
 
 /// Four channels, linear, in [0, 1].
@@ -87,6 +94,7 @@ struct Scene {
     std::string name = {};
     std::vector<MeshDesc> meshes = {};
     std::vector<SceneInstance> instances = {};
+    std::vector<SceneInstance> blended = {};  ///< Seen through: they take and cast no occlusion.
     std::vector<SceneMaterial> materials = {};
     std::vector<SceneTexture> textures = {};
     std::vector<SceneCamera> cameras = {};

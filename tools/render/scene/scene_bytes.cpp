@@ -48,12 +48,14 @@ bool isSound(const Scene& scene)
         if (!isSound(mesh)) return false;
     for (const SceneTexture& texture : scene.textures)
         if (!isSound(texture.image)) return false;
-    for (const SceneInstance& instance : scene.instances)
-        if (!isIndex(scene.meshes, instance.mesh) || !isIndex(scene.materials, instance.material))
-            return false;
+    for (const auto* list : {&scene.instances, &scene.blended})
+        for (const SceneInstance& each : *list)
+            if (!isIndex(scene.meshes, each.mesh) || !isIndex(scene.materials, each.material))
+                return false;
     for (const SceneMaterial& material : scene.materials)
         for (const int texture :
-             {material.base_color_texture, material.normal_texture, material.occlusion_texture})
+             {material.base_color_texture, material.normal_texture, material.occlusion_texture,
+              material.metallic_roughness_texture, material.emission_texture})
             if (texture != -1 && !isIndex(scene.textures, texture)) return false;
     return true;
 }

@@ -113,9 +113,12 @@ template <class Pipe>
 void transfer(Pipe& pipe, SceneMaterial& material)
 {
     auto& [name, base_color, base_color_texture, specular, shininess, alpha_cutoff, normal_texture,
-           normal_scale, occlusion_texture, occlusion_strength, blended] = material;
+           normal_scale, occlusion_texture, occlusion_strength, blended, metallic, roughness,
+           reflectance, metallic_roughness_texture, emission, emission_texture, unlit] = material;
     transferAll(pipe, name, base_color, base_color_texture, specular, shininess, alpha_cutoff,
-                normal_texture, normal_scale, occlusion_texture, occlusion_strength, blended);
+                normal_texture, normal_scale, occlusion_texture, occlusion_strength, blended,
+                metallic, roughness, reflectance, metallic_roughness_texture, emission,
+                emission_texture, unlit);
 }
 
 template <class Pipe>
@@ -153,8 +156,9 @@ void transfer(Pipe& pipe, SceneLight& named)
 template <class Pipe>
 void transfer(Pipe& pipe, Scene& scene)
 {
-    auto& [name, meshes, instances, materials, textures, cameras, lights, ambient] = scene;
-    transferAll(pipe, name, meshes, instances, materials, textures, cameras, lights, ambient);
+    auto& [name, meshes, instances, blended, materials, textures, cameras, lights, ambient] = scene;
+    transferAll(pipe, name, meshes, instances, blended, materials, textures, cameras, lights,
+                ambient);
 }
 
 /// Without places and notes: diagnostics of a scene have none.

@@ -76,26 +76,17 @@ void standUp(Scene& scene)
     }
 }
 
-// Takes what is seen through out of the scene: it takes no occlusion and casts none.
-Diagnostics takeOutBlended(Scene& scene, const std::string& path)
+// Sets what is seen through apart, unless there is nothing else.
+void setBlendedApart(Scene& scene)
 {
-    const auto blended = [&](const SceneInstance& each) {
-        return scene.materials[static_cast<std::size_t>(each.material)].blended;
+    const auto solid = [&](const SceneInstance& each) {
+        return !scene.materials[static_cast<std::size_t>(each.material)].blended;
     };
-    std::vector<SceneInstance> solid;
-    std::remove_copy_if(scene.instances.begin(), scene.instances.end(), std::back_inserter(solid),
-                        blended);
-    const std::size_t count = scene.instances.size() - solid.size();
-    if (count == 0) return {};
-    const bool all = solid.empty();
-    if (!all) scene.instances = std::move(solid);
-    return {asWarning({Code::scene_features,
-                       "the scene '" + path + "' is seen through at " + std::to_string(count) +
-                           (count == 1 ? " mesh" : " meshes") + " (BLEND, transmission, d): " +
-                           (all ? "drawn solid, since there is nothing else"
-                                : "left out, to take and cast no ambient occlusion"),
-                       all ? "make what is solid so in the file"
-                           : "--blended solid draws them as surfaces like others"})};
+    std::vector<SceneInstance>& all = scene.instances;
+    const auto first = std::stable_partition(all.begin(), all.end(), solid);
+    if (first == all.begin()) return;
+    scene.blended.assign(first, all.end());
+    all.erase(first, all.end());
 }
 
 Result<Scene> finished(ReadScene read, const std::string& path, const ImportOptions& options,
@@ -115,8 +106,7 @@ Result<Scene> finished(ReadScene read, const std::string& path, const ImportOpti
     const std::size_t surfaces = turnInsideOut(scene);
     if (read.turned + surfaces > 0) warnings.push_back(turnedWarning(path, read.turned, surfaces));
     normalizeLights(scene);
-    if (!options.blended_solid)
-        for (Diagnostic& each : takeOutBlended(scene, path)) warnings.push_back(std::move(each));
+    if (!options.blended_solid) setBlendedApart(scene);
     return {std::move(scene), std::move(warnings)};
 }
 

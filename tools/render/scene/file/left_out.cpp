@@ -11,8 +11,8 @@ namespace crevice {
 namespace {
 
 // Of .mtl files, in lower case.
-const std::vector<std::string> kMtlRead = {"newmtl", "kd", "d",  "tr",  "map_kd",
-                                           "map_d",  "ks", "ns", "norm"};
+const std::vector<std::string> kMtlRead = {"newmtl", "kd", "d",    "tr", "map_kd", "map_d",
+                                           "ks",     "ns", "norm", "ke", "map_ke"};
 constexpr std::pair<std::string_view, const char*> kMtlHarmless[] = {
     {"ka", "ambient light is that of the config"},
     {"map_ka", "ambient light is that of the config"},
@@ -20,14 +20,9 @@ constexpr std::pair<std::string_view, const char*> kMtlHarmless[] = {
     {"ni", "nothing is refracted"},
 };
 constexpr std::pair<std::string_view, const char*> kMtlLook[] = {
-    {"ke", "emission"},
-    {"map_ke", "emission"},
-    {"map_ks", "maps of highlights"},
-    {"map_ns", "maps of highlights"},
-    {"tf", "coloured glass"},
-    {"bump", "bump maps"},
-    {"map_bump", "bump maps"},
-    {"refl", "reflections"},
+    {"map_ks", "maps of highlights"}, {"map_ns", "maps of highlights"},
+    {"tf", "coloured glass"},         {"bump", "bump maps"},
+    {"map_bump", "bump maps"},        {"refl", "reflections"},
 };
 
 constexpr std::size_t kLongestMtl = 64u << 20;
@@ -49,13 +44,8 @@ void findLeftOutOfLine(std::string_view line, LeftOut& left_out)
     if (words.empty() || words[0][0] == '#') return;
     const std::string key = lowerCase(words[0]);
     const auto look = rowOf(kMtlLook, key);
-    const bool black =
-        key == "ke" && std::all_of(words.begin() + 1, words.end(), [](const std::string& each) {
-            std::string_view rest = each;
-            return takeNumber(rest).value_or(1) == 0;
-        });
     if (look != std::end(kMtlLook)) {
-        if (!black) left_out.look.insert(look->second);
+        left_out.look.insert(look->second);
         return;
     }
     const bool known =

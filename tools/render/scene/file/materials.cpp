@@ -79,7 +79,11 @@ SceneMaterial materialFrom(const aiMaterial& from)
     if (std::isfinite(shininess) && shininess > 0.0f) {
         material.shininess = std::clamp(shininess, 1.0f, kMaxShininess);
         material.specular = specularOf(from);
+        material.roughness = std::pow(2.0f / (material.shininess + 2.0f), 0.25f);
     }
+    aiColor3D glow(0, 0, 0);
+    from.Get(AI_MATKEY_COLOR_EMISSIVE, glow);
+    material.emission = {finiteOr(glow.r, 0), finiteOr(glow.g, 0), finiteOr(glow.b, 0)};
 
     float opacity = 1.0f;
     from.Get(AI_MATKEY_OPACITY, opacity);
@@ -134,6 +138,9 @@ void importMaterials(const aiScene& from, SceneTextures& textures, Scene& scene)
             if (material.base_color_texture == SceneTextures::kNone)
                 material.base_color_texture = texture(type, Encoding::srgb);
         material.normal_texture = texture(aiTextureType_NORMALS, Encoding::linear);
+        material.emission_texture = texture(aiTextureType_EMISSIVE, Encoding::srgb);
+        if (material.emission_texture >= 0 && material.emission == glm::vec3(0.0f))
+            material.emission = glm::vec3(1.0f);
         importHoles(texture(aiTextureType_OPACITY, Encoding::linear), textures, scene, material);
         scene.materials.push_back(std::move(material));
     }

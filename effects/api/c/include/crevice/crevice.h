@@ -507,6 +507,17 @@ typedef struct crevice_material {
     const crevice_texture* occlusion_map;   ///< Baked visibility in red: 1 is open.
 
     uint64_t revision;  ///< A number that changes whenever you draw into one of the maps.
+
+    bool blended;  ///< Seen through by its alpha: takes no occlusion and casts none.
+    bool unlit;    ///< For lighting/metallic_roughness: shows `base_color` as it is.
+
+    // What lighting/metallic_roughness reads beside base_color, after glTF.
+    float metallic;     ///< [0, 1]
+    float smoothness;   ///< 1 less the roughness, [0, 1].
+    float reflectance;  ///< What is no metal reflects of light from ahead, (0, 1]; 0 is 0.04.
+    float emission[3];  ///< Light of its own, linear, >= 0.
+    const crevice_texture* metallic_roughness_map;  ///< Roughness in green, metallic in blue.
+    const crevice_texture* emission_map;            ///< Linear; times `emission`.
 } crevice_material;
 
 /// All materials, instead of those of before. Null and 0 leave one: white and opaque, which is the

@@ -89,8 +89,12 @@ constexpr Extension kExtensions[] = {
     {"KHR_animation_pointer", Support::look},
     {"KHR_draco_mesh_compression", Support::read},
     {"KHR_lights_punctual", Support::read},
+    {"KHR_materials_emissive_strength", Support::read},
+    {"KHR_materials_ior", Support::read},
     {"KHR_materials_pbrSpecularGlossiness", Support::read},
+    {"KHR_materials_specular", Support::read},
     {"KHR_materials_transmission", Support::read},
+    {"KHR_materials_unlit", Support::read},
     {"KHR_materials_*", Support::look},
     {"KHR_mesh_quantization", Support::read},
     {"KHR_node_visibility", Support::read},
@@ -160,29 +164,17 @@ struct Walk {
     }
 };
 
-bool above(const json& list, double least)
-{
-    return list.is_array() && std::any_of(list.begin(), list.end(), [&](const json& each) {
-               return numberOf(each, least) > least;
-           });
-}
-
-// What depends on values. Highlights are matte where nothing is said of them.
-void lookOfMaterial(const json& material, LeftOut& found)
-{
-    if (above(member(material, "emissiveFactor"), 0)) found.look.insert("emission");
-    const json& base = member(material, "pbrMetallicRoughness");
-    if (numberOf(member(base, "metallicFactor"), 0) > 0 ||
-        numberOf(member(base, "roughnessFactor"), 1) < 1 ||
-        !member(base, "metallicRoughnessTexture").is_null() ||
-        !extensionOf(material, "KHR_materials_pbrSpecularGlossiness").is_null())
-        found.look.insert("metalness and roughness");
-}
-
 void findByValues(const json& gltf, LeftOut& found)
 {
     constexpr int kTriangles = 4, kTriangleFan = 6;
-    for (const json& material : member(gltf, "materials")) lookOfMaterial(material, found);
+    for (const json& material : member(gltf, "materials")) {
+        const json& older = extensionOf(material, "KHR_materials_pbrSpecularGlossiness");
+        if (!member(older, "specularGlossinessTexture").is_null())
+            found.look.insert("maps of glossiness");
+        const json& specular = extensionOf(material, "KHR_materials_specular");
+        for (const char* key : {"specularTexture", "specularColorTexture", "specularColorFactor"})
+            if (!member(specular, key).is_null()) found.look.insert(key);
+    }
     for (const json& mesh : member(gltf, "meshes"))
         for (const json& primitive : member(mesh, "primitives")) {
             const double mode = numberOf(member(primitive, "mode"), kTriangles);

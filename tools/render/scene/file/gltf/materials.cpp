@@ -29,11 +29,14 @@ constexpr float kClear = 0.1f, kSolid = 0.9f;
 // Glass lets through what is behind it; below that the surface itself is what is seen.
 constexpr double kLeastTransmission = 0.5;
 
+// How much of what is behind a clear pane is seen: a rest shows where it is.
+constexpr double kPane = 0.85;
+
 const char* const kSpecularGlossiness = "KHR_materials_pbrSpecularGlossiness";
 
-glm::vec4 colorOf(const json& list)
+glm::vec4 colorOf(const json& list, float otherwise = 1)
 {
-    glm::vec4 color(1.0f);
+    glm::vec4 color(otherwise);
     for (int k = 0; k < 4; ++k) color[k] = static_cast<float>(numberOf(entryOf(list, k), color[k]));
     return color;
 }
@@ -55,21 +58,38 @@ Coordinates coordinatesOf(const json& use)
     return at;
 }
 
+// A texture of a material, and what it is for.
+struct TextureUse {
+    int SceneMaterial::*index;
+    const char* what;
+    Encoding encoding;
+    bool shape;  // whether occlusion is another without it
+    const json* from;
+};
+
 // The colour's texture first.
-std::array<const json*, 3> textureUses(const json& material)
+std::array<TextureUse, 5> textureUses(const json& material)
 {
-    const json& color = member(member(material, "pbrMetallicRoughness"), "baseColorTexture");
+    const json& metal = member(material, "pbrMetallicRoughness");
     const json& older = member(extensionOf(material, kSpecularGlossiness), "diffuseTexture");
-    return {older.is_null() ? &color : &older, &member(material, "normalTexture"),
-            &member(material, "occlusionTexture")};
+    const json& color = older.is_null() ? member(metal, "baseColorTexture") : older;
+    return {{{&SceneMaterial::base_color_texture, "colours", Encoding::srgb, true, &color},
+             {&SceneMaterial::normal_texture, "normal maps", Encoding::linear, true,
+              &member(material, "normalTexture")},
+             {&SceneMaterial::occlusion_texture, "baked occlusion", Encoding::linear, false,
+              &member(material, "occlusionTexture")},
+             {&SceneMaterial::metallic_roughness_texture, "metalness and roughness",
+              Encoding::linear, false, &member(metal, "metallicRoughnessTexture")},
+             {&SceneMaterial::emission_texture, "emission", Encoding::srgb, false,
+              &member(material, "emissiveTexture")}}};
 }
 
 const json& leadOf(const json& material)
 {
     const auto uses = textureUses(material);
-    for (const json* use : uses)
-        if (use->is_object()) return *use;
-    return *uses[0];
+    for (const TextureUse& use : uses)
+        if (use.from->is_object()) return *use.from;
+    return *uses[0].from;
 }
 
 // Part of the texels that are neither clear nor solid, and the least alpha of all.
@@ -152,29 +172,35 @@ SceneMaterial GltfMaterials::read(int index)
 {
     const json& from = entryOf(file_.list("materials"), index);
     SceneMaterial to;
-    const json &name = member(from, "name"), &normal = member(from, "normalTexture"),
-               &occlusion = member(from, "occlusionTexture");
-    if (name.is_string()) to.name = name.get<std::string>();
-    const json& older = extensionOf(from, kSpecularGlossiness);
-    to.base_color =
-        colorOf(older.is_null() ? member(member(from, "pbrMetallicRoughness"), "baseColorFactor")
-                                : member(older, "diffuseFactor"));
-    to.base_color_texture = texture(*textureUses(from)[0], Encoding::srgb);
-    to.normal_texture = texture(normal, Encoding::linear);
-    to.normal_scale = static_cast<float>(numberOf(member(normal, "scale"), 1));
-    to.occlusion_texture = texture(occlusion, Encoding::linear);
-    const double strength = numberOf(member(occlusion, "strength"), 1);
-    to.occlusion_strength = static_cast<float>(std::clamp(strength, 0.0, 1.0));
-    const auto moved = [&](const json& use) {
-        return use.is_object() && !(coordinatesOf(use) == coordinatesOf(leadOf(from)));
+    const json &name = member(from, "name"), &metal = member(from, "pbrMetallicRoughness"),
+               &older = extensionOf(from, kSpecularGlossiness);
+    const auto factor = [](const json& object, const char* key, double otherwise) {
+        return static_cast<float>(numberOf(member(object, key), otherwise));
     };
-    if (moved(normal)) {
-        to.normal_texture = SceneTextures::kNone;
-        left_out_.shape.insert("normal maps at other coordinates than the colour's");
-    }
-    if (moved(occlusion)) {
-        to.occlusion_texture = SceneTextures::kNone;
-        left_out_.look.insert("baked occlusion at other coordinates than the colour's");
+    if (name.is_string()) to.name = name.get<std::string>();
+    to.base_color = colorOf(older.is_null() ? member(metal, "baseColorFactor")
+                                            : member(older, "diffuseFactor"));
+    to.normal_scale = factor(member(from, "normalTexture"), "scale", 1);
+    const float strength = factor(member(from, "occlusionTexture"), "strength", 1);
+    to.occlusion_strength = std::clamp(strength, 0.0f, 1.0f);
+    to.metallic = older.is_null() ? factor(metal, "metallicFactor", 1) : 0;
+    to.roughness = older.is_null() ? factor(metal, "roughnessFactor", 1)
+                                   : 1 - factor(older, "glossinessFactor", 1);
+    const double index_of_glass =
+        numberOf(member(extensionOf(from, "KHR_materials_ior"), "ior"), 1.5);
+    const double mirrors = (index_of_glass - 1) / (index_of_glass + 1);
+    to.reflectance = static_cast<float>(mirrors * mirrors) *
+                     factor(extensionOf(from, "KHR_materials_specular"), "specularFactor", 1);
+    to.emission =
+        glm::vec3(colorOf(member(from, "emissiveFactor"), 0)) *
+        factor(extensionOf(from, "KHR_materials_emissive_strength"), "emissiveStrength", 1);
+    to.unlit = extensionOf(from, "KHR_materials_unlit").is_object();
+    for (const TextureUse& use : textureUses(from)) {
+        if (use.from->is_object() && !(coordinatesOf(*use.from) == coordinatesOf(leadOf(from))))
+            (use.shape ? left_out_.shape : left_out_.look)
+                .insert(std::string(use.what) + " at other coordinates than the colour's");
+        else
+            to.*use.index = texture(*use.from, use.encoding);
     }
     return to;
 }
@@ -187,8 +213,9 @@ void GltfMaterials::setAlpha(int index, SceneMaterial& to) const
     const json& glass = extensionOf(from, "KHR_materials_transmission");
     if (mode == "MASK")
         to.alpha_cutoff = static_cast<float>(numberOf(member(from, "alphaCutoff"), 0.5));
-    to.blended = numberOf(member(glass, "transmissionFactor"), 0) >= kLeastTransmission &&
-                 member(glass, "transmissionTexture").is_null();
+    const double through = numberOf(member(glass, "transmissionFactor"), 0);
+    to.blended = through >= kLeastTransmission && member(glass, "transmissionTexture").is_null();
+    if (to.blended) to.base_color.a *= static_cast<float>(1 - kPane * through);
     if (mode != "BLEND" || to.blended) return;
     const float alpha = to.base_color.a;
     auto [vague, least] = std::pair(0.0, 1.0f);
@@ -215,8 +242,9 @@ GltfMaterials::Layout GltfMaterials::layoutFor(int material, const MeshDesc& mes
         Tiles& tiles = layout[std::size_t(axis)];
         tiles.mode = static_cast<int>(numberOf(member(sampler, key), kRepeat));
         tiles.texels = sharp ? kSharp : 1;
-        for (const json* use : textureUses(from))
-            if (use->is_object() && numberOf(member(samplerOf(*use), key), kRepeat) != tiles.mode)
+        for (const TextureUse& use : textureUses(from))
+            if (use.from->is_object() &&
+                numberOf(member(samplerOf(*use.from), key), kRepeat) != tiles.mode)
                 left_out_.shape.insert("textures of one material that wrap in different ways");
         if (tiles.mode == kMirror) tiles.count = 2;
         if (tiles.mode != kClamp) continue;
@@ -242,7 +270,7 @@ Extent GltfMaterials::extentOf(const Extent& size, const Layout& layout)
     return {size.width * across.count * across.texels, size.height * up.count * up.texels};
 }
 
-// Whether there is room for three such textures, as a material has.
+// Whether there is room for all such textures that a material may have.
 bool GltfMaterials::fits(int texture, const Layout& layout) const
 {
     constexpr int kLongest = 1 << 14;
@@ -250,7 +278,7 @@ bool GltfMaterials::fits(int texture, const Layout& layout) const
     const Extent size = scene_.textures[std::size_t(texture)].image.extent;
     const Extent whole = extentOf(size, layout);
     return whole == size || (std::max(whole.width, whole.height) <= kLongest &&
-                             3.0 * whole.width * whole.height <= textures_.room());
+                             5.0 * whole.width * whole.height <= textures_.room());
 }
 
 int GltfMaterials::laidOut(int texture, const Layout& layout)
@@ -294,14 +322,13 @@ int GltfMaterials::materialFor(int index, std::vector<float> colors, MeshDesc& m
     std::vector<float> key = {static_cast<float>(index)};
     for (const Tiles& tiles : layout)
         key.insert(key.end(), {float(tiles.mode), float(tiles.first), float(tiles.count)});
-    int* const textures[] = {&material.base_color_texture, &material.normal_texture,
-                             &material.occlusion_texture};
-    for (const int* each : textures)
-        if (!fits(*each, layout)) {
+    const auto uses = textureUses(entryOf(file_.list("materials"), index));
+    for (const TextureUse& use : uses)
+        if (!fits(material.*use.index, layout)) {
             layout = Layout();
             left_out_.shape.insert("wrap modes and filters of large textures");
         }
-    for (int* each : textures) *each = laidOut(*each, layout);
+    for (const TextureUse& use : uses) material.*use.index = laidOut(material.*use.index, layout);
     for (Vertex& vertex : mesh.vertices)
         for (int axis = 0; axis < 2; ++axis)
             vertex.uv[axis] = (vertex.uv[axis] - float(layout[std::size_t(axis)].first)) /
