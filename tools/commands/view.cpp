@@ -3,6 +3,7 @@
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
+#include "tools/render/image/image_file.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene/options.h"
@@ -34,10 +35,37 @@ bool pageHas(const std::string& scene)
     return contains(builtinSceneNames(), scene) && !needsFile(scene);
 }
 
+/// A model that was dropped on the page, without the files that it may name. It is read as any
+/// other, from a folder of its own.
+Result<std::string> readDropped(const ImportOptions& options, const std::string& name,
+                                const std::string& file)
+{
+    namespace fs = std::filesystem;
+    std::string folder = (fs::temp_directory_path() / "crevice_model_XXXXXX").string();
+    if (!mkdtemp(folder.data()))
+        return Diagnostic{Code::cannot_write, "there is no folder for temporary files",
+                          "name one by the environment variable TMPDIR"};
+    const std::string path = (fs::path(folder) / fs::path(name).filename()).string();
+    Result<std::string> bytes = std::string();
+    Diagnostics found = writeFile(path, file).diagnostics();
+    if (found.empty()) {
+        const Result<Scene> scene = loadScene(path, options);
+        found = scene.diagnostics();
+        if (scene) bytes = sceneBytes(*scene);
+    }
+    std::error_code error;
+    fs::remove_all(folder, error);
+    return hasErrors(found) ? Result<std::string>(found)
+                            : Result<std::string>(std::move(*bytes), std::move(found));
+}
+
 /// What the page shows. A scene that is a file, or needs one, is read here, once.
 Result<SiteView> loadView(const ViewOptions& options)
 {
-    SiteView view{options.config.variant, options.camera, options.scene};
+    SiteView view{options.config.variant, options.camera, options.scene, {}, {}};
+    view.read = [import = options.import](const std::string& name, const std::string& file) {
+        return readDropped(import, name, file);
+    };
     if (options.scene.empty() || pageHas(options.scene)) return view;
     Progress progress;
     progress.begin("loading " + options.scene);
@@ -86,7 +114,7 @@ int view(const ViewOptions& options)
     Server server;
     const Result<int> port = server.bind(options.port);
     if (!port) return report(port.diagnostics(), false);
-    const Site site(*token, *port, std::move(*page), files, std::move(*shown));
+    Site site(*token, *port, std::move(*page), files, std::move(*shown));
     catchInterrupts();
     server.start(site, events);
     showAddress(site.address(), options.no_browser);

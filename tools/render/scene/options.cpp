@@ -30,9 +30,13 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
     addRootOption(app, options.roots);
     app.add_option(
            "--time", options.pose_s,
-           "Draw a glTF file's first animation at that time. Default: nodes, skins and morph "
-           "targets at rest")
+           "Draw a glTF file's animation at that time. Default: nodes, skins and morph targets at "
+           "rest")
         ->type_name("SECONDS");
+    addText(app, "--animation", options.animation, "NAME|NUMBER",
+            "The animation of --time; numbers count from 0. Default: the file's first one");
+    addText(app, "--file-scene", options.file_scene, "NAME|NUMBER",
+            "The scene of a glTF file that has several. Default: the one that the file names");
     using Word = const std::string&;
     app.add_option_function<std::string>(
            "--up", [&options](Word axis) { options.up = axis == "z" ? Up::z : Up::y; },

@@ -142,6 +142,9 @@ struct ImportOptions {
     /// Folders beside the file's own, files below which it may name.
     std::vector<std::string> roots = {};
     std::optional<double> pose_s = {};  ///< A time of a glTF file's animation; nothing is at rest.
+    /// By name, or number from 0: the animation of that time and the scene, of those in a glTF file.
+    /// Empty for its first animation, and for the scene that the file names.
+    std::string animation = {}, file_scene = {};
     Up up = Up::guess;
     bool blended_solid = false;  ///< Surfaces that are seen through stay, as others.
 };

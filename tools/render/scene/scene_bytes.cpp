@@ -10,7 +10,7 @@ namespace {
 // "crvs" and a version, which goes up with every change of what is sent. As numbers, so that
 // another order of bytes is seen.
 constexpr std::uint32_t kMagic = 0x73767263;
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 Diagnostic broken(const std::string& reason)
 {

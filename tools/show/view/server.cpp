@@ -47,16 +47,16 @@ SiteRequest siteRequest(const httplib::Request& request)
 }
 
 // All of it, however large, so that the answer is read; of which no more than the limit is kept.
-void readBody(const httplib::ContentReader& read, SiteRequest& request)
+void readBody(const httplib::ContentReader& read, std::size_t most, SiteRequest& request)
 {
-    constexpr std::size_t kMostRead = 64u << 20;
+    constexpr std::size_t kMostRead = 512u << 20;
     std::size_t size = 0;
     const bool whole = read([&](const char* data, std::size_t count) {
         size += count;
-        if (size <= kMaxDocumentBytes) request.body.append(data, count);
+        if (size <= most) request.body.append(data, count);
         return size <= kMostRead;
     });
-    request.too_large = !whole || size > kMaxDocumentBytes;
+    request.too_large = !whole || size > most;
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ struct Server::Impl {
 
     httplib::Server http;
     std::thread thread;
-    const Site* site = nullptr;
+    Site* site = nullptr;
     Events* events = nullptr;
     std::atomic<int> streams{0};
 };
@@ -173,7 +173,7 @@ Server::Server() : impl_(std::make_unique<Impl>())
     http.Put("[^]*", [this](const httplib::Request& request, httplib::Response& response,
                             const httplib::ContentReader& read) {
         SiteRequest asked = siteRequest(request);
-        readBody(read, asked);
+        readBody(read, impl_->site->mostBytes(asked), asked);
         impl_->fill(response, impl_->site->answer(asked));
     });
 }
@@ -192,7 +192,7 @@ Result<int> Server::bind(int port)
     return Diagnostic{Code::cannot_serve, message, "leave --port out for any that is free"};
 }
 
-void Server::start(const Site& site, Events& events)
+void Server::start(Site& site, Events& events)
 {
     impl_->site = &site;
     impl_->events = &events;

@@ -49,7 +49,7 @@ public:
     Result<int> bind(int port);
 
     /// Answers from threads of its own, until `stop`. After `bind`; both must outlive this.
-    void start(const Site& site, Events& events);
+    void start(Site& site, Events& events);
 
     /// Ends all streams and waits until the last request was answered, or for a second.
     void stop();

@@ -41,6 +41,8 @@ bool isPage(const fs::path& folder)
 }
 
 constexpr const char* kJson = "application/json";
+constexpr std::string_view kScenes = "scene/";
+constexpr std::size_t kMostModelBytes = 256u << 20;
 constexpr std::size_t kMostPageBytes = 64u << 20;  // of one file
 
 SiteAnswer jsonAnswer(int status, const nlohmann::json& value)
@@ -167,7 +169,17 @@ bool Site::isAskedByOurs(const SiteRequest& request) const
            });
 }
 
-SiteAnswer Site::answer(const SiteRequest& request) const
+std::string Site::nameOf(const SiteRequest& request) const
+{
+    return request.path.substr(std::min(2 + token_.size(), request.path.size()));
+}
+
+std::size_t Site::mostBytes(const SiteRequest& request) const
+{
+    return startsWith(nameOf(request), kScenes) ? kMostModelBytes : kMaxDocumentBytes;
+}
+
+SiteAnswer Site::answer(const SiteRequest& request)
 {
     constexpr std::string_view kFiles = "files/";
     if (!isAskedByOurs(request)) return {403};
@@ -175,18 +187,34 @@ SiteAnswer Site::answer(const SiteRequest& request) const
     if (request.path.size() <= end || request.path[0] != '/' || request.path[end] != '/' ||
         !sameSecret(std::string_view(request.path).substr(1, token_.size()), token_))
         return {404};
-    const std::string name = request.path.substr(end + 1);
+    const std::string name = nameOf(request);
+    if (request.method == "PUT" && startsWith(name, kScenes))
+        return putScene(name.substr(kScenes.size()), request);
     const bool gets = request.method == "GET" || request.method == "HEAD";
     if (!startsWith(name, kFiles)) return gets ? get(name) : SiteAnswer{405, "", {}, "GET, HEAD"};
     if (request.method != "PUT") return {405, "", {}, "PUT"};
     return put(name.substr(kFiles.size()), request);
 }
 
-SiteAnswer Site::get(const std::string& name) const
+SiteAnswer Site::putScene(const std::string& name, const SiteRequest& request)
+{
+    if (request.too_large) return refused(413, "a model has at most 256 MiB");
+    Result<std::string> bytes = view_.read(name, request.body);
+    nlohmann::json answer = {{"diagnostics", nlohmann::json::parse(toJson(bytes.diagnostics()))}};
+    if (!bytes) return jsonAnswer(422, answer);
+    const std::lock_guard<std::mutex> lock(scene_);
+    view_.scene = name;
+    view_.camera.clear();
+    view_.scene_bytes = std::make_shared<const std::string>(std::move(*bytes));
+    return jsonAnswer(200, answer);
+}
+
+SiteAnswer Site::get(const std::string& name)
 {
     if (name == "events") return {200, "text/event-stream", {}, "", true};
     if (name == "view.json") return {200, kJson, std::make_shared<const std::string>(viewJson())};
     if (name == "scene") {
+        const std::lock_guard<std::mutex> lock(scene_);
         if (!view_.scene_bytes) return {404};
         return {200, "application/octet-stream", view_.scene_bytes};
     }
@@ -210,8 +238,9 @@ SiteAnswer Site::put(const std::string& path, const SiteRequest& request) const
     return refused(404, "the config has no file of that name");
 }
 
-std::string Site::viewJson() const
+std::string Site::viewJson()
 {
+    const std::lock_guard<std::mutex> lock(scene_);
     nlohmann::json files = nlohmann::json::object();
     for (const UserFile& file : files_.all())
         files[file.path] = {{"text", file.text}, {"version", file.version}};

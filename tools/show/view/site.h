@@ -4,6 +4,7 @@
 //   GET  /TOKEN/              the page; /TOKEN/NAME one of its files
 //   GET  /TOKEN/view.json     what to show, and the user's files
 //   GET  /TOKEN/scene         the user's scene, as tools/render/scene/scene_bytes.h reads it
+//   PUT  /TOKEN/scene/NAME    a model's file in its place; answers what its reader has to say
 //   GET  /TOKEN/events        Server-Sent Events: `file`, where one was changed by others
 //   PUT  /TOKEN/files/PATH    saves one of the files; If-Match names the version that it replaces
 #pragma once
@@ -11,6 +12,9 @@
 #include "tools/show/view/user_files.h"
 
 #include <crevice/diagnostic.h>
+
+#include <functional>
+#include <mutex>
 
 namespace crevice {
 
@@ -34,7 +38,7 @@ struct SiteRequest {
     std::vector<std::string> sites;    ///< Each Sec-Fetch-Site.
     std::vector<std::string> if_match = {};
     std::string body = {};
-    bool too_large = false;  ///< The body was cut: it has more than kMaxDocumentBytes.
+    bool too_large = false;  ///< The body was cut: it has more than Site::mostBytes.
 };
 
 struct SiteAnswer {
@@ -48,12 +52,14 @@ struct SiteAnswer {
 /// Headers of every answer.
 extern const std::vector<std::pair<std::string, std::string>> kSiteHeaders;
 
-/// What is shown beside the config.
+/// What is shown beside the config, and how it changes.
 struct SiteView {
     std::string variant = {};
     std::string camera = {};
     std::string scene = {};  ///< As --scene takes it; empty: what the page begins with.
     std::shared_ptr<const std::string> scene_bytes = {};  ///< Null for a built-in scene.
+    /// Makes such bytes of a model's file, of that name, which was dropped on the page.
+    std::function<Result<std::string>(const std::string& name, const std::string& file)> read = {};
 };
 
 /// The secret in an address, 32 hex digits: 128 random bits of the system's. Errors: CV6022 where
@@ -69,18 +75,24 @@ public:
     std::string address() const;
 
     /// From any thread.
-    SiteAnswer answer(const SiteRequest& request) const;
+    SiteAnswer answer(const SiteRequest& request);
+
+    /// That the body of such a request may have: of a model 256 MiB, else kMaxDocumentBytes.
+    std::size_t mostBytes(const SiteRequest& request) const;
 
 private:
+    std::string nameOf(const SiteRequest& request) const;
     bool isOurs(const std::string& host) const;
     bool isAskedByOurs(const SiteRequest& request) const;
-    SiteAnswer get(const std::string& name) const;
+    SiteAnswer get(const std::string& name);
+    SiteAnswer putScene(const std::string& name, const SiteRequest& request);
     SiteAnswer put(const std::string& path, const SiteRequest& request) const;
-    std::string viewJson() const;
+    std::string viewJson();
 
     std::string token_, port_;
     PageFiles page_;
     UserFiles& files_;
+    std::mutex scene_;  // of the scene in `view_`
     SiteView view_;
 };
 

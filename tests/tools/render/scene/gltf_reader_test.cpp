@@ -190,6 +190,21 @@ TEST_CASE("morph targets, skins and nodes stand as at rest, or at a time")
         options.pose_s = time_s;
         checkBox(load(skinned, options), {x, 0, 0}, {x + 1, 1, 0});
     }
+
+    skinned.json["animations"].push_back(skinned.json["animations"][0]);
+    skinned.json["animations"][1]["name"] = "still";
+    skinned.json["animations"][1]["channels"] = json::array();
+    skinned.json["scenes"].push_back({{"nodes", {1}}, {"name", "bones"}});
+    for (const char* animation : {"still", "1"}) {
+        options.animation = animation;
+        options.file_scene = "0";
+        checkBox(load(skinned, options), {4, 0, 0}, {5, 1, 0});
+    }
+    options.animation = "run";
+    CHECK(has(imported(skinned, options).diagnostics().at(0).help, "0, 'still'"));
+    options.animation = "0";
+    options.file_scene = "bones";
+    CHECK(has(imported(skinned, options).diagnostics().at(0).message, "no triangle"));
 }
 
 TEST_CASE("textures that are moved, clamped or mirrored are laid out so that they may repeat")
@@ -350,7 +365,7 @@ TEST_CASE("each key and extension that is not read is named, once a file")
         {R"({"materials": [{"bumpiness": 3}]})", "'bumpiness' of material"},
         {R"({"nodes": [{"mesh": 0, "instances": 4}]})", "'instances' of node"},
         {R"({"extensions": {"ACME_anvil": {}}})", "ACME_anvil"},
-        {R"({"scenes": [{"nodes": [0]}, {"nodes": []}]})", "1 more scene"},
+        {R"({"scenes": [{"nodes": [0]}, {"nodes": []}]})", "its other scenes, 1 (--file-scene)"},
         {R"({"textures": [{"extensions": {"KHR_texture_basisu": {}}}]})", "KHR_texture_basisu"}};
     for (const auto& [members, named] : rows) {
         INFO(members);

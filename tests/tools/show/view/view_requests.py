@@ -205,7 +205,25 @@ def check_view():
     check("the camera is told", shown["camera"] == "eye=1,2,3")
     check("the scene comes as bytes", shown["scene"] == {"name": "model.obj", "bytes": True})
     scene = ask("GET", base + "scene").data
-    check("which are a scene's", scene[:8] == b"crvs\2\0\0\0" and len(scene) > 200)
+    check("which are a scene's", scene[:8] == b"crvs\3\0\0\0" and len(scene) > 200)
+
+
+def drop(name, model, **headers):
+    answer = ask("PUT", base + "scene/" + name, model, **headers)
+    return answer.status, json.loads(answer.data or "{}")
+
+
+def check_dropped():
+    model = b"v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 2 3\nf 1 2 4\n"
+    check("403 for a model of another site", status("PUT", base + "scene/a.obj", model, Origin="http://evil.example") == 403)
+    code, said = drop("broken.glb", b"glTF nonsense")
+    check("a broken model is refused with the reader's words", code == 422 and said["diagnostics"][0]["code"] == "CV7002")
+    check("a name is no path", drop("..%2f..%2fsecret.txt", model)[0] == 422 and drop("%2e%2e", model)[0] == 422)
+    check("and nothing has changed", view()["scene"]["name"] == "model.obj")
+    code, said = drop("tent%20%231.obj", model)
+    check("a model that is dropped is the scene", code == 200 and view()["scene"] == {"name": "tent #1.obj", "bytes": True})
+    check("of no camera that was asked for", view()["camera"] == "")
+    check("which comes as bytes", ask("GET", base + "scene").data[:8] == b"crvs\3\0\0\0")
 
 
 check_page()
@@ -213,4 +231,5 @@ check_refusals()
 check_view()
 check_saves()
 check_events()
+check_dropped()
 sys.exit(1 if failures else 0)

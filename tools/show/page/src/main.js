@@ -15,7 +15,7 @@ import {Texts} from "./text/texts.js";
 import {Timing} from "./timing.js";
 import {makeToolbar} from "./toolbar.js";
 import {TruthView} from "./truth_view.js";
-import {ViewFiles, openView, viewScene} from "./view_server.js";
+import {ViewFiles, openView, takeModels, viewScene} from "./view_server.js";
 
 const FIRST = {config: "mobile", scene: "street", params: {msaa: 4, ambient: 0.5, intensity: 2}};
 
@@ -102,6 +102,7 @@ async function start() {
   $("starting").remove();
   addEventListener("hashchange", () => app.guard(async () => show(app, await wanted(app, view))));
   if (view) app.viewFiles = new ViewFiles(app, view, add(document.querySelector(".bar"), "button", {type: "button", id: "save"}, "Save"));
+  takeModels(app, view);
   await app.guard(() => app.texts.start());
   --app.busy;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `crevice view` serves this page with the user's files: what is saved here is written there, and the other way round.
+import {describe} from "./app.js";
+
 const LOCAL = /^(127\.0\.0\.1|\[::1\]|localhost)$/, TOKEN = /\/[0-9a-f]{32}\/$/;
 
 /// What the command wants to be seen, or null on a plain server. Plain addresses are not asked: a 404 would be noise.
@@ -18,6 +20,27 @@ export async function viewScene() {
   const response = await fetch("scene");
   if (!response.ok) throw new Error(`The scene did not come: ${response.status} ${response.statusText}`);
   return new Uint8Array(await response.arrayBuffer());
+}
+
+/// Shows a model that is dropped on the page. Its reader is the command's; a page of its own has none.
+export function takeModels(app, view) {
+  addEventListener("dragover", e => e.preventDefault());
+  addEventListener("drop", e => {
+    e.preventDefault();
+    const [file] = e.dataTransfer?.files ?? [];
+    if (file) app.during(() => takeModel(app, view, file));
+  });
+}
+async function takeModel(app, view, file) {
+  if (!view) return app.say(`This page shows its own scenes. Run: crevice view --scene ${file.name}`, "warning");
+  const response = await fetch("scene/" + encodeURIComponent(file.name), {method: "PUT", body: file});
+  const {message, diagnostics} = await response.json().catch(() => ({message: response.statusText}));
+  if (!response.ok) return app.say(message ?? describe(diagnostics), "error");
+  const bytes = await viewScene();
+  if (!app.must(() => app.engine.loadSceneBytes(bytes, file.name)).ok) return null;
+  app.sceneChanged(null);
+  app.reload();
+  return diagnostics.length && app.say(describe(diagnostics), "warning");
 }
 
 export class ViewFiles {

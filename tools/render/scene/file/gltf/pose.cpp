@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tools/render/scene/file/gltf/pose.h"
 
+#include "core/base/text.h"
+#include "tools/render/scene/scene.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -55,9 +58,48 @@ std::vector<double> valueAt(const GltfFile& file, const tinygltf::AnimationSampl
     return a;
 }
 
-void animate(const GltfFile& file, double time_s, std::vector<Placement>& nodes)
+template <class T>
+std::vector<std::string> namesOf(const std::vector<T>& list)
 {
-    const tinygltf::Animation& animation = file.model().animations.front();
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < list.size(); ++k)
+        names.push_back(list[k].name.empty() ? std::to_string(k) : "'" + list[k].name + "'");
+    return names;
+}
+
+// The index of that name, or that number; `otherwise` where nothing is wanted.
+template <class T>
+Result<std::size_t> chosen(const std::vector<T>& list, const std::string& wanted, const char* kind,
+                           int otherwise)
+{
+    if (wanted.empty()) return static_cast<std::size_t>(std::max(otherwise, 0));
+    for (std::size_t k = 0; k < list.size(); ++k)
+        if (list[k].name == wanted) return k;
+    for (std::size_t k = 0; k < list.size(); ++k)
+        if (std::to_string(k) == wanted) return k;
+    return Diagnostic{Code::usage, std::string("the file has no ") + kind + " '" + wanted + "'",
+                      list.empty() ? "it has none" : "it has " + joined(namesOf(list))};
+}
+
+// Of several, what may be chosen instead, and how.
+template <class T>
+void nameOthers(const std::vector<T>& list, const std::string& wanted, std::size_t taken,
+                const char* kind, const char* option, LeftOut& left_out)
+{
+    if (list.size() < 2 || !wanted.empty()) return;
+    std::vector<std::string> others = namesOf(list);
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(std::min(taken, list.size() - 1)));
+    constexpr std::size_t kMostNames = 6;
+    const std::size_t more = others.size() - std::min(others.size(), kMostNames);
+    others.resize(others.size() - more);
+    left_out.shape.insert(std::string("its other ") + kind + "s, " + joined(others) +
+                          (more > 0 ? " and " + std::to_string(more) + " more (" : " (") + option +
+                          ")");
+}
+
+void animate(const GltfFile& file, const tinygltf::Animation& animation, double time_s,
+             std::vector<Placement>& nodes)
+{
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
         const auto node = static_cast<std::size_t>(channel.target_node);
         const auto sampler = static_cast<std::size_t>(channel.sampler);
@@ -89,14 +131,10 @@ glm::dmat4 matrixOf(const tinygltf::Node& node, const Placement& at)
     return matrix;
 }
 
-// Roots of the scene that the file names, or of its first; of nodes that are no child without any.
-std::vector<int> rootsOf(const GltfFile& file, LeftOut& left_out)
+// Roots of the scene; without any, of nodes that are no child.
+std::vector<int> rootsOf(const tinygltf::Model& model, std::size_t scene)
 {
-    const tinygltf::Model& model = file.model();
-    if (model.scenes.size() > 1)
-        left_out.shape.insert(std::to_string(model.scenes.size() - 1) + " more scenes");
-    const auto chosen = static_cast<std::size_t>(std::max(model.defaultScene, 0));
-    if (chosen < model.scenes.size()) return model.scenes[chosen].nodes;
+    if (scene < model.scenes.size()) return model.scenes[scene].nodes;
     std::vector<bool> child(model.nodes.size());
     for (const tinygltf::Node& node : model.nodes)
         for (const int below : node.children)
@@ -109,20 +147,27 @@ std::vector<int> rootsOf(const GltfFile& file, LeftOut& left_out)
 
 }  // namespace
 
-std::vector<PosedNode> posedNodes(const GltfFile& file, std::optional<double> time_s,
-                                  LeftOut& left_out)
+Result<std::vector<PosedNode>> posedNodes(const GltfFile& file, const ImportOptions& options,
+                                          LeftOut& left_out)
 {
-    const std::vector<tinygltf::Node>& nodes = file.model().nodes;
+    const tinygltf::Model& model = file.model();
+    const std::vector<tinygltf::Node>& nodes = model.nodes;
+    const auto animation = chosen(model.animations, options.animation, "animation", 0);
+    const auto scene = chosen(model.scenes, options.file_scene, "scene", model.defaultScene);
+    if (!animation) return animation.diagnostics();
+    if (!scene) return scene.diagnostics();
+    nameOthers(model.animations, options.animation, *animation, "animation", "--animation",
+               left_out);
+    nameOthers(model.scenes, options.file_scene, *scene, "scene", "--file-scene", left_out);
+    const bool moves = options.pose_s || !options.animation.empty();
     std::vector<Placement> placements;
     for (const tinygltf::Node& node : nodes)
         placements.push_back({node.translation, node.rotation, node.scale, node.weights});
-    const std::size_t animations = file.model().animations.size();
-    if (animations > 0 && time_s) animate(file, *time_s, placements);
-    if (animations == 0 && time_s)
-        left_out.shape.insert("the moment of --time: it has no animation");
-    if (animations > 0 && !time_s)
-        left_out.shape.insert("its animation (--time SECONDS draws a moment of it)");
-    if (animations > 1) left_out.shape.insert(std::to_string(animations - 1) + " more animations");
+    const bool any = !model.animations.empty();
+    if (any && moves)
+        animate(file, model.animations[*animation], options.pose_s.value_or(0), placements);
+    if (!any && moves) left_out.shape.insert("the moment of --time: it has no animation");
+    if (any && !moves) left_out.shape.insert("its animation (--time SECONDS draws a moment of it)");
 
     std::vector<PosedNode> posed(nodes.size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -136,7 +181,7 @@ std::vector<PosedNode> posedNodes(const GltfFile& file, std::optional<double> ti
     };
     std::vector<Open> open;
     std::vector<bool> seen(nodes.size());
-    for (const int root : rootsOf(file, left_out)) open.push_back({root, glm::dmat4(1.0), true});
+    for (const int root : rootsOf(model, *scene)) open.push_back({root, glm::dmat4(1.0), true});
     while (!open.empty()) {
         const Open at = open.back();
         open.pop_back();

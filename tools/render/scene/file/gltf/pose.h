@@ -8,6 +8,8 @@
 
 namespace crevice {
 
+struct ImportOptions;
+
 struct PosedNode {
     glm::dmat4 parent_from_node = glm::dmat4(1.0);
     glm::dmat4 world_from_node = glm::dmat4(1.0);
@@ -15,10 +17,10 @@ struct PosedNode {
     bool drawn = false;                ///< It is in the scene, and neither it nor a parent hidden.
 };
 
-/// Every node of the file. `time_s` is a time of its first animation, or nothing for rest.
-/// Throws BrokenGltf.
-std::vector<PosedNode> posedNodes(const GltfFile& file, std::optional<double> time_s,
-                                  LeftOut& left_out);
+/// Every node of the file, as the options say. Errors: CV8001 for an animation or a scene that the
+/// file has not. Throws BrokenGltf.
+Result<std::vector<PosedNode>> posedNodes(const GltfFile& file, const ImportOptions& options,
+                                          LeftOut& left_out);
 
 /// From the model to the world at each joint of a skin; empty for an index that is none.
 /// Throws BrokenGltf.

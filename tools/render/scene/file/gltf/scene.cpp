@@ -231,7 +231,9 @@ Result<ReadScene> readGltf(const std::string& path, const ImportOptions& options
     if (readable) readable = file->load(path, options, folder);
     if (!readable) return readable.diagnostics();
     LeftOut left_out = leftOutOf(file->document());
-    const std::vector<PosedNode> nodes = posedNodes(*file, options.pose_s, left_out);
+    const Result<std::vector<PosedNode>> posed = posedNodes(*file, options, left_out);
+    if (!posed) return posed.diagnostics();
+    const std::vector<PosedNode>& nodes = *posed;
     ReadScene read;
     Builder builder(*file, path, folder, read, warnings, left_out);
     if (Status added = builder.addNodes(nodes); !added) return added.diagnostics();
