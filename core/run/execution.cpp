@@ -64,9 +64,10 @@ Status Execution::checkImports(const Frame& frame) const
     for (const ImportDesc& import : plan_.imports)
         if (import.type == ImportType::texture && !import.optional &&
             !findTexture(frame.textures, import.name))
-            return refused(import, Code::missing_import,
-                           " has no texture for import '" + import.name + "'",
-                           "hand one over by Effect::setTexture, or in Frame::textures");
+            return refused(
+                import, Code::missing_import, " has no texture for import '" + import.name + "'",
+                "hand one over by Effect::setTexture or in Frame::textures; the command "
+                "reads --texture NAME=FILE, or NAME.png, .hdr or .exr beside the config");
     for (const PreparedPass& pass : runs_) {
         for (const TextureBinding& binding : pass.textures) {
             if (binding.import < 0) continue;

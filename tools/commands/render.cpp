@@ -5,6 +5,7 @@
 #include "tools/commands/cli/scene_lengths.h"
 #include "tools/commands/cli/watched_files.h"
 #include "tools/commands/commands.h"
+#include "tools/render/scene/camera_framing.h"
 #include "tools/render/session.h"
 #include "tools/render/view_diagnosis.h"
 
@@ -20,17 +21,39 @@
 namespace crevice {
 namespace {
 
+/// What a picture of another size than the view's is; nothing of others.
+std::string otherSize(const Picture& picture, Extent view)
+{
+    const Extent& size = picture.image.extent;
+    if (size == view || size.width == 0) return {};
+    const bool band = size.width > view.width && size.height > view.height;
+    return ", " + sizeText(size) +
+           (band ? ": the view and around it the guard band, which --set guard_band=1 leaves out"
+                 : "");
+}
+
+/// With the modules laid over it, which the description's name lacks.
+std::string nameOf(const RenderOptions& options, const Session& session)
+{
+    const bool more = has(options.config.config, "+");
+    return more ? options.config.config : session.renderer->description().name;
+}
+
 /// What is drawn, and where: `ms` is the wall clock of the first frame.
 void printSummary(const RenderOptions& options, const Session& session, const SceneView& view,
                   const std::vector<Picture>& pictures, double ms)
 {
     const Renderer& renderer = *session.renderer;
     printMessage("%s: %d passes over %s, %lld triangles, %dx%d\n",
-                 printableLine(renderer.description().name).c_str(),
+                 printableLine(nameOf(options, session)).c_str(),
                  static_cast<int>(renderer.plan().passes.size()),
                  printableLine(view.scene.name).c_str(), triangleCount(view.scene),
                  view.extent.width, view.extent.height);
     if (!session.lengths.empty()) printMessage("%s\n", session.lengths.c_str());
+    if (!session.pictures)
+        printMessage("camera '%s'\n", cameraText(view.camera, view.bounds).c_str());
+    for (const HostTextures::Picture& each : session.host->pictures())
+        printMessage("%s is %s\n", each.name.c_str(), printableLine(each.file).c_str());
     printMessage("on %s\n", session.open.context->description().c_str());
     printMessage("planned and compiled in %s ms (wall clock)\n",
                  fixed(session.create_ms, 1).c_str());
@@ -45,19 +68,22 @@ void printSummary(const RenderOptions& options, const Session& session, const Sc
         printMessage("this is frame 1 of a config that accumulates: --frames %d draws its mean\n",
                      kGatheringFrames);
     for (const Picture& picture : pictures)
-        printMessage("wrote %s (%s)\n", printableLine(picture.request.file).c_str(),
-                     printableLine(picture.request.name).c_str());
+        printMessage("wrote %s (%s%s)\n", printableLine(picture.request.file).c_str(),
+                     printableLine(picture.request.name).c_str(),
+                     otherSize(picture, view.extent).c_str());
 }
 
-void printJson(const Session& session, const SceneView& view, const std::vector<Picture>& pictures,
-               double ms, const Diagnostics& warnings)
+void printJson(const RenderOptions& options, const Session& session, const SceneView& view,
+               const std::vector<Picture>& pictures, double ms, const Diagnostics& warnings)
 {
     const Renderer& renderer = *session.renderer;
-    nlohmann::json files = nlohmann::json::array();
+    nlohmann::json files = nlohmann::json::array(), textures = nlohmann::json::object();
+    for (const HostTextures::Picture& each : session.host->pictures())
+        textures[each.name] = each.file;
     for (const Picture& picture : pictures)
         files.push_back({{"name", picture.request.name}, {"file", picture.request.file}});
     nlohmann::json json = {
-        {"config", renderer.description().name},
+        {"config", nameOf(options, session)},
         {"scene", view.scene.name},
         {"triangles", triangleCount(view.scene)},
         {"width", view.extent.width},
@@ -65,6 +91,8 @@ void printJson(const Session& session, const SceneView& view, const std::vector<
         {"passes", renderer.plan().passes.size()},
         {"device", session.open.context->description()},
         {"lengths", session.lengths},
+        {"camera", session.pictures ? "" : cameraText(view.camera, view.bounds)},
+        {"textures", std::move(textures)},
         {"create_ms", session.create_ms},
         {"first_frame_ms", ms},
         {"files", files},
@@ -183,7 +211,7 @@ void showSummary(const RenderOptions& options, Session& session, const SceneView
     });
     if (!unfilled) append(warnings, checkPicture(session, view, pictures));
     if (session.open.programs) append(warnings, session.open.programs->warnings());
-    if (options.json) return printJson(session, view, pictures, ms, warnings);
+    if (options.json) return printJson(options, session, view, pictures, ms, warnings);
     report(warnings, false);
     printSummary(options, session, view, pictures, ms);
 }

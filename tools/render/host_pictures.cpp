@@ -72,9 +72,12 @@ Result<glm::mat4> projectionOf(const std::string& projection, const std::string&
                                Extent extent)
 {
     if (!projection.empty() && !has(projection, "=")) return matrixFrom(projection);
+    const std::string& given = projection.empty() ? camera : projection;
     const std::string text = projection.empty() ? camera : "eye=0,0,0;at=0,0,-1;" + projection;
     if (!has(text, "near=") || !has(text, "far="))
-        return Diagnostic{Code::usage, "nothing says how the imported depth was projected",
+        return Diagnostic{Code::usage,
+                          given.empty() ? "nothing says how the imported depth was projected"
+                                        : "the projection '" + given + "' lacks near or far",
                           "give --projection 'fov=50;near=0.1;far=100', or the 16 numbers of the "
                           "matrix by columns, with commas between"};
     const double aspect = static_cast<double>(extent.width) / extent.height;

@@ -57,16 +57,16 @@ Status HostTextures::readPicture(Device& device, const ImportDesc& import, const
     const Format format = formatFromName(import.format);
     const auto texture = device.createTexture({import.name, format, image->extent});
     if (!texture) return texture.diagnostics();
-    pictures_.push_back({import.name, Owned<TextureId>(device, *texture)});
+    pictures_.push_back({import.name, path, Owned<TextureId>(device, *texture)});
     return device.writeTexture(*texture, withChannels(*image, formatInfo(format).channels));
 }
 
-/// Where there is no such file, nothing comes of it: the renderer reports a texture that lacks.
-/// An import of a shipped module has no folder.
-Status HostTextures::readBeside(Device& device, const ImportDesc& import)
+/// Beside that file, if it is one on disk. Where there is no such picture, nothing comes of it: the
+/// renderer reports a texture that lacks.
+Status HostTextures::readBeside(Device& device, const ImportDesc& import, const SourceRef& source)
 {
-    const SourceRef& source = import.place.source;
-    if (!source || !source->path.empty()) return {};
+    const bool found = findNamed(pictures_, import.name);
+    if (found || !source || !source->path.empty()) return {};
     for (const char* const extension : {".png", ".hdr", ".exr"}) {
         const std::string path =
             std::filesystem::path(source->name).replace_filename(import.name + extension).string();
@@ -119,8 +119,9 @@ Result<HostTextures> HostTextures::make(Device& device, const Description& descr
         draws |= import.type == ImportType::draw_list;
         if (!lacks(scene, import) || findNamed(textures.pictures_, import.name)) continue;
         if (!findNamed(host->outputs, import.name)) {
-            if (const Status read = textures.readBeside(device, import); !read)
-                return read.diagnostics();
+            for (const SourceRef& file : {import.place.source, description.place.source})
+                if (const Status read = textures.readBeside(device, import, file); !read)
+                    return read.diagnostics();
             continue;
         }
         textures.names_.push_back(import.name);

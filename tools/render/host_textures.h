@@ -12,7 +12,7 @@ namespace crevice {
 /// Draws depth, normals, distances or positions of a scene, of which it knows `depth`, `normal`,
 /// `linear_depth`, `log_depth` and `position`. Another texture, such as a tile of noise, is one of
 /// the `files`, NAME=FILE, or NAME.png, .hdr or .exr in the folder of the file that declares the
-/// import. The device must outlive it.
+/// import, or of the config. The device must outlive it.
 class HostTextures {
 public:
     /// For what the description imports of these and the frame does not have, each in the import's
@@ -29,14 +29,16 @@ public:
     /// of Renderer::render.
     Result<Frame> frameOf(const Frame& scene);
 
-private:
     struct Picture {
-        std::string name;
+        std::string name, file;
         Owned<TextureId> texture;
     };
 
+    const std::vector<Picture>& pictures() const { return pictures_; }
+
+private:
     Status readPicture(Device& device, const ImportDesc& import, const std::string& path);
-    Status readBeside(Device& device, const ImportDesc& import);
+    Status readBeside(Device& device, const ImportDesc& import, const SourceRef& source);
     Status readFiles(Device& device, const Description& description,
                      const std::vector<std::string>& files);
 

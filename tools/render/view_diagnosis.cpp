@@ -104,7 +104,7 @@ std::optional<Diagnostic> unlitMaterials(const Plan& plan, const Scene& scene)
                (m.roughness < 1 && m.specular == glm::vec3(0.0f));  // no highlight says so
     });
     add("emission", [](Each m) { return m.emission != glm::vec3(0.0f); });
-    add("materials without lighting", [](Each m) { return m.unlit; });
+    add("unlit materials", [](Each m) { return m.unlit; });
     if (parts.empty()) return std::nullopt;
     return asWarning(
         {Code::scene_features,

@@ -123,7 +123,7 @@ printf '%s\n' 'mtllib wall.mtl' 'v 0 0 0' 'v 6 0 0' 'v 6 8 0' 'v 0 8 0' 'usemtl 
 expect 0 'triangles 2,' inspect wall.obj
 expect 0 '^surfaces +closed 0, open 1, sheets 0$' inspect wall.obj
 expect 0 'diagonal 10, unit metres' inspect wall.obj
-expect 0 'in colours without maps of highlights' inspect wall.obj
+expect 0 'drawn without maps of highlights' inspect wall.obj
 printf '%s\n' 'f 3 2 1' 'f 4 3 1' >>wall.obj
 expect 0 '^surfaces +closed 0, open 0, sheets 1$' inspect wall.obj
 expect 0 '^surfaces +closed 3, open 1, sheets 0$' inspect spheres

@@ -254,4 +254,23 @@ Result<SceneCamera> chooseCamera(const Scene& scene, const Bounds& bounds, const
         suggestName(text, names, "cameras") + "; or write --camera 'eye=4,2,6;at=0,1,0;fov=50'"};
 }
 
+std::string cameraText(const SceneCamera& camera, const Bounds& bounds)
+{
+    const auto number = [](double value) { return significant(value + 0.0, 7); };
+    const auto point = [&](const glm::dvec3& at) {
+        return number(at.x) + "," + number(at.y) + "," + number(at.z);
+    };
+    const glm::dmat4 world_from_view = glm::inverse(camera.view_from_world);
+    const glm::dvec3 eye = world_from_view[3];
+    const SceneCamera planes = withPlanes(camera, bounds);
+    return "eye=" + point(eye) + ";at=" + point(eye - glm::dvec3(world_from_view[2])) +
+           ";up=" + point(glm::dvec3(world_from_view[1])) +
+           (camera.orthographic ? ";ortho=" + number(2 * camera.half_height)
+                                : ";fov=" + number(glm::degrees(camera.fov_y_rad))) +
+           (camera.shift != glm::dvec2(0.0)
+                ? ";shift=" + number(camera.shift.x) + "," + number(camera.shift.y)
+                : "") +
+           ";near=" + number(planes.near_distance) + ";far=" + number(planes.far_distance);
+}
+
 }  // namespace crevice

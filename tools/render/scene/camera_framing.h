@@ -29,4 +29,7 @@ SceneCamera frameScene(const Scene& scene, double aspect, const glm::dvec3& side
 Result<SceneCamera> chooseCamera(const Scene& scene, const Bounds& bounds, const std::string& text,
                                  double aspect);
 
+/// That camera in the words of `--camera`, with the near and far distances that it has here.
+std::string cameraText(const SceneCamera& camera, const Bounds& bounds);
+
 }  // namespace crevice

@@ -88,6 +88,11 @@ Result<Json> inspectScene(const std::string& name, const ImportOptions& options)
         all["materials"].push_back({{"name", each.name},
                                     {"cut_out", each.alpha_cutoff > 0},
                                     {"seen_through", each.blended},
+                                    {"alpha", each.base_color.a},
+                                    {"metallic", each.metallic},
+                                    {"roughness", each.roughness},
+                                    {"emits", each.emission != glm::vec3(0.0f)},
+                                    {"unlit", each.unlit},
                                     {"textures", textures}});
     }
     for (const auto& [texture, image] : scene->textures)

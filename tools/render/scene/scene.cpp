@@ -18,17 +18,13 @@ constexpr double kLeastNearOverFar = 1e-3;
 // What derived planes leave between themselves and the bounds, as a part of the diagonal.
 constexpr double kDepthMargin = 0.01;
 
-// How far in front of the camera the bounds begin and end.
-struct ClipDistances {
-    double near_distance = 1e300;
-    double far_distance = -1e300;
-};
-
-ClipDistances depthRange(const glm::dmat4& view_from_world, const Bounds& bounds)
+// Sets the planes to how far in front of the camera the bounds begin and end.
+void encloseBounds(SceneCamera& range, const Bounds& bounds)
 {
-    ClipDistances range;
+    range.near_distance = 1e300;
+    range.far_distance = -1e300;
     for (int corner = 0; corner < 8; ++corner) {
-        const double depth = -(view_from_world * glm::dvec4(bounds.corner(corner), 1.0)).z;
+        const double depth = -(range.view_from_world * glm::dvec4(bounds.corner(corner), 1.0)).z;
         range.near_distance = std::min(range.near_distance, depth);
         range.far_distance = std::max(range.far_distance, depth);
     }
@@ -36,16 +32,18 @@ ClipDistances depthRange(const glm::dmat4& view_from_world, const Bounds& bounds
                           1e-6 * std::abs(range.far_distance);
     range.near_distance -= margin;
     range.far_distance += margin;
-    return range;
 }
 
-ClipDistances clipDistances(const SceneCamera& camera, const Bounds& bounds)
+}  // namespace
+
+SceneCamera withPlanes(const SceneCamera& camera, const Bounds& bounds)
 {
     const bool complete = camera.orthographic || camera.near_distance > 0.0;
-    if (camera.far_distance > camera.near_distance && complete)
-        return {camera.near_distance, camera.far_distance};
-    ClipDistances range = {0.1, 100.0};
-    if (!bounds.empty()) range = depthRange(camera.view_from_world, bounds);
+    if (camera.far_distance > camera.near_distance && complete) return camera;
+    SceneCamera range = camera;
+    range.near_distance = 0.1;
+    range.far_distance = 100;
+    if (!bounds.empty()) encloseBounds(range, bounds);
     if (range.far_distance <= 0.0) range.far_distance = 1.0;  // all of it lies behind the camera
     const double least = camera.orthographic ? 0.0 : range.far_distance * kLeastNearOverFar;
     range.near_distance = std::max(range.near_distance, least);
@@ -53,8 +51,6 @@ ClipDistances clipDistances(const SceneCamera& camera, const Bounds& bounds)
     if (range.far_distance <= range.near_distance) range.far_distance = range.near_distance * 2.0;
     return range;
 }
-
-}  // namespace
 
 void Bounds::add(const glm::dvec3& point)
 {
@@ -91,7 +87,7 @@ glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& b
 {
     const double aspect =
         static_cast<double>(std::max(extent.width, 1)) / std::max(extent.height, 1);
-    const ClipDistances range = clipDistances(camera, bounds);
+    const SceneCamera range = withPlanes(camera, bounds);
     const double half_height = camera.half_height, half_width = half_height * aspect;
     const glm::dmat4 centered =
         camera.orthographic ? glm::orthoRH_NO(-half_width, half_width, -half_height, half_height,

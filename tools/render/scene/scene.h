@@ -127,8 +127,11 @@ struct Scene {
     }
 };
 
-/// OpenGL's clip space, z in [-1, 1]. Near and far distances that the camera leaves open enclose
-/// `bounds` with a hair to spare; a near distance is then at least a thousandth of the far one.
+/// With the near and far distances that the camera leaves open: they enclose `bounds` with a hair
+/// to spare, and a near distance is then at least a thousandth of the far one.
+SceneCamera withPlanes(const SceneCamera& camera, const Bounds& bounds);
+
+/// OpenGL's clip space, z in [-1, 1], of the camera with those planes.
 glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& bounds);
 
 /// Which axis of a file points up; `guess` is z for STL, which has no custom, and y for others.
@@ -142,8 +145,8 @@ struct ImportOptions {
     /// Folders beside the file's own, files below which it may name.
     std::vector<std::string> roots = {};
     std::optional<double> pose_s = {};  ///< A time of a glTF file's animation; nothing is at rest.
-    /// By name, or number from 0: the animation of that time and the scene, of those in a glTF file.
-    /// Empty for its first animation, and for the scene that the file names.
+    /// By name, or number from 0: the animation of that time and the scene, of those in a glTF
+    /// file. Empty for its first animation, and for the scene that the file names.
     std::string animation = {}, file_scene = {};
     Up up = Up::guess;
     bool blended_solid = false;  ///< Surfaces that are seen through stay, as others.

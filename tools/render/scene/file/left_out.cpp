@@ -60,10 +60,10 @@ void findLeftOutOfLine(std::string_view line, LeftOut& left_out)
 Diagnostic LeftOut::warning(const std::string& path) const
 {
     std::vector<std::string> parts;
-    if (!shape.empty()) parts.push_back("without " + joined({shape.begin(), shape.end()}));
-    if (!look.empty()) parts.push_back("in colours without " + joined({look.begin(), look.end()}));
+    for (const std::set<std::string>& names : {shape, look})
+        parts.insert(parts.end(), names.begin(), names.end());
     return asWarning({Code::scene_features,
-                      "the scene '" + path + "' is drawn " + joined(parts, " and "),
+                      "the scene '" + path + "' is drawn without " + joined(parts),
                       shape.empty() ? "ambient occlusion needs none of it"
                                     : "compare the picture with another viewer's"});
 }
