@@ -63,6 +63,25 @@ struct GltfTestFile {
         whole["buffers"][0] = {{"uri", "my%20data.bin"}, {"byteLength", bytes.size()}};
         return folder.write("scene.gltf", before + whole.dump());
     }
+
+    /// Writes scene.glb, and returns its path.
+    std::string writeBinary(const TemporaryFolder& folder) const
+    {
+        nlohmann::json whole = json;
+        whole["buffers"][0] = {{"byteLength", bytes.size()}};
+        std::string text = whole.dump(), binary = bytes;
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        binary.resize((binary.size() + 3) / 4 * 4, '\0');
+        const auto number = [](std::size_t value) {
+            std::string octets;
+            for (int k = 0; k < 4; ++k) octets += static_cast<char>(value >> 8 * k & 255);
+            return octets;
+        };
+        return folder.write("scene.glb",
+                            "glTF" + number(2) + number(28 + text.size() + binary.size()) +
+                                number(text.size()) + "JSON" + text + number(binary.size()) +
+                                std::string("BIN\0", 4) + binary);
+    }
 };
 
 }  // namespace crevice

@@ -83,8 +83,10 @@ vec2 mirroredShare(highp float rough, highp float facing)
     return vec2(-1.04, 1.04) * a + r.zw;
 }
 
-vec3 reflectedAround(Reflecting r, Surface s, float open)
+// Where the material has baked occlusion, the lesser of both: a product would darken twice what both know of.
+vec3 reflectedAround(Reflecting r, Surface s, float screen_open)
 {
+    float open = min(screen_open, materialOpen(uv));
     highp mat3 turn = mat3(world_from_view);
     vec2 share = mirroredShare(r.rough, r.facing);
     vec3 mirrored = (r.ahead * share.x + share.y) * (1.0 + r.ahead * (1.0 / (share.x + share.y) - 1.0));

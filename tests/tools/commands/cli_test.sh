@@ -167,7 +167,7 @@ echo 'no scene' >broken.glb
 expect 1 'CV7002' render learnopengl --scene broken.glb
 printf 'ply\nformat ascii 1.0\nelement vertex 3\n' >cut.ply
 expect 1 'CV7002.*ends within its header' render learnopengl --scene cut.ply
-printf 'ply\nformat ascii 1.0\ncomment end_header\nelement vertex 3\n' >cut.ply  # Assimp never returns from it
+printf 'ply\nformat ascii 1.0\ncomment element face end_header\nelement vertex 3\n' >cut.ply  # Assimp never returns from it
 expect 1 'CV7002.*longer than 1 s' render learnopengl --scene cut.ply --import-time 1
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off
 expect 1 'help: .*--any-format' explain learnopengl --scene triangle.off

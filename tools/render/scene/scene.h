@@ -101,7 +101,8 @@ struct Scene {
     std::vector<SceneLight> lights = {};
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour from all around; configs scale it.
 
-    /// The box around every triangle of every instance; see `addCorners` for its cost.
+    /// The box around every triangle of every instance, blended ones too; see `addCorners` for its
+    /// cost.
     Bounds bounds() const;
 
     /// Adds the place in the world of each corner of each triangle of each instance to `hull`,
@@ -113,17 +114,20 @@ struct Scene {
         std::vector<MeshCorners> corners;
         for (const MeshDesc& mesh : meshes) corners.emplace_back(mesh);
         // One of each first, within which most others lie.
-        for (const SceneInstance& each : instances)
-            if (!corners[each.mesh].places.empty())
-                hull.add(each.place(corners[each.mesh].places[0]));
-        for (const SceneInstance& each : instances) {
-            Hull grown = hull;
-            const MeshCorners& mesh = corners[each.mesh];
-            for (int k = 0; k < 8 && !mesh.places.empty(); ++k)
-                grown.add(each.place(mesh.box.corner(k)));
-            if (grown == hull) continue;
-            for (const glm::vec3& corner : mesh.places) hull.add(each.place(corner));
-        }
+        const std::vector<SceneInstance>* const lists[] = {&instances, &blended};
+        for (const auto* list : lists)
+            for (const SceneInstance& each : *list)
+                if (!corners[each.mesh].places.empty())
+                    hull.add(each.place(corners[each.mesh].places[0]));
+        for (const auto* list : lists)
+            for (const SceneInstance& each : *list) {
+                Hull grown = hull;
+                const MeshCorners& mesh = corners[each.mesh];
+                for (int k = 0; k < 8 && !mesh.places.empty(); ++k)
+                    grown.add(each.place(mesh.box.corner(k)));
+                if (grown == hull) continue;
+                for (const glm::vec3& corner : mesh.places) hull.add(each.place(corner));
+            }
     }
 };
 

@@ -68,6 +68,16 @@ const std::string kTwoColumns("P5 2 1 255\n\x00\xff", 13);  // black and white
 
 }  // namespace
 
+TEST_CASE("a binary file is read as its parts are")
+{
+    const TemporaryFolder folder("gltf_binary");
+    GltfTestFile file;
+    const std::string path = file.writeBinary(folder);
+    checkBox(need(importScene(path)), {0, 0, 0}, {1, 1, 0});
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) - 8);
+    CHECK_FALSE(importScene(path).ok());
+}
+
 TEST_CASE("a byte order mark, a URI with %20 and bytes to spare are read")
 {
     const TemporaryFolder folder("gltf_mark");
@@ -291,6 +301,7 @@ TEST_CASE("what is seen through is set apart, unless it is cut out, solid, or al
         const Result<Scene> scene = imported(file, options);
         CHECK(scene.diagnostics().empty());
         CHECK(need(scene).instances.size() + need(scene).blended.size() == 2);
+        checkBox(*scene, {0, 0, 0}, {10, 1, 0});
         return need(scene).instances.size();
     };
     CHECK(blended(0.3, 0, false) == 1);
@@ -365,6 +376,7 @@ TEST_CASE("each key and extension that is not read is named, once a file")
         {R"({"materials": [{"bumpiness": 3}]})", "'bumpiness' of material"},
         {R"({"nodes": [{"mesh": 0, "instances": 4}]})", "'instances' of node"},
         {R"({"extensions": {"ACME_anvil": {}}})", "ACME_anvil"},
+        {R"({"scenes": [{"nodes": [0, 0]}]})", "second parent"},
         {R"({"scenes": [{"nodes": [0]}, {"nodes": []}]})", "its other scenes, 1 (--file-scene)"},
         {R"({"textures": [{"extensions": {"KHR_texture_basisu": {}}}]})", "KHR_texture_basisu"}};
     for (const auto& [members, named] : rows) {

@@ -116,8 +116,9 @@ TEST_CASE("a PLY file that ends within its header is an error at once")
 TEST_CASE("a file that its reader never returns from is an error at the time limit")
 {
     const TemporaryFolder folder("scene_hang");
-    const std::string header = "ply\nformat ascii 1.0\ncomment end_header\nelement vertex 3\n";
-    for (const std::size_t length : {40u, 55u}) {
+    const std::string header =
+        "ply\nformat ascii 1.0\ncomment element face end_header\nelement vertex 3\n";
+    for (const std::size_t length : {53u, 68u}) {
         const Diagnostic error =
             onlyError(importScene(folder.write("cut.ply", header.substr(0, length)), soon()));
         CHECK(error.code == Code::scene_broken);

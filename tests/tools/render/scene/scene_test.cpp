@@ -4,11 +4,13 @@
 
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
+#include "tools/render/image/image_file.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 using namespace crevice;
@@ -190,7 +192,52 @@ TEST_CASE("OBJ materials bring their colour and highlight, and a lost .mtl does 
     CHECK(material.base_color == glm::vec4(0.1f, 0.2f, 0.3f, 1));
     CHECK(material.specular == glm::vec3(0.4f, 0.5f, 0.6f));
     CHECK(material.shininess == 50);
-    CHECK(importScene(folder.write("b.obj", "mtllib lost.mtl\n" + body)).ok());
+    const Result<Scene> lost = importScene(folder.write("b.obj", "mtllib lost.mtl\n" + body));
+    REQUIRE(lost.ok());
+    CHECK(lost.diagnostics().at(0).message.find("lost.mtl'") != std::string::npos);
+}
+
+TEST_CASE("the alpha of map_Kd cuts holes where it is clear or solid, and is named where it is not")
+{
+    const TemporaryFolder folder("scene_alpha");
+    const auto read = [&](int alpha) {
+        std::filesystem::create_directories(folder.path / "images");
+        Image picture({1, 2}, 4, 1.0f);
+        picture.at(0, 0, 3) = static_cast<float>(alpha) / 255;
+        need(writePng((folder.path / "images/a.png").string(), picture));
+        folder.write("a.mtl", "newmtl a\nmap_Kd images\\a.png \n");
+        return importScene(folder.write("a.obj", std::string("mtllib a.mtl\nusemtl a\n") + kCube));
+    };
+    const auto materialOf = [](const Scene& scene) {
+        return scene.materials[scene.instances[0].material];
+    };
+    CHECK(materialOf(need(read(0))).alpha_cutoff > 0);
+    const Result<Scene> vague = read(100);
+    CHECK(materialOf(need(vague)).alpha_cutoff == 0);
+    CHECK(materialOf(*vague).base_color_texture >= 0);
+    REQUIRE(vague.diagnostics().size() == 1);
+    CHECK(vague.diagnostics()[0].message.find("alpha of map_Kd") != std::string::npos);
+}
+
+TEST_CASE("faces that are strips or lack, and colours of facets, are named as what they are")
+{
+    const std::string head = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n";
+    const auto strips = importText(
+        "a.ply", head + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n");
+    CHECK(onlyError(strips).message.find("strips") != std::string::npos);
+    CHECK(onlyError(importText("b.ply", head + "end_header\n0\n")).code == Code::scene_empty);
+    std::string facet(134, '\0');  // of a coloured STL: a header, a count, and one facet
+    facet.replace(0, 10, "COLOR=\x10\x20\x30\xff");
+    facet[80] = 1;
+    facet[133] = '\x80';  // it has a colour of its own, or has none
+    for (const auto& [corner, axis] : {std::pair(1, 0), {2, 1}}) {
+        const float one = 1;
+        std::memcpy(&facet[84 + 12 + 12 * corner + 4 * axis], &one, sizeof one);
+    }
+    const Result<Scene> colored = importText("c.stl", facet);
+    REQUIRE(colored.ok());
+    REQUIRE(colored.diagnostics().size() == 1);
+    CHECK(colored.diagnostics()[0].message.find("colours of facets") != std::string::npos);
 }
 
 TEST_CASE("a file without lights can be seen, and importing it adds none")

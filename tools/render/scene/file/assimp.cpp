@@ -4,6 +4,7 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/frame/frame_math.h"
+#include "tools/render/image/image_file.h"
 #include "tools/render/image/srgb.h"
 #include "tools/render/scene/file/folder.h"
 #include "tools/render/scene/file/import.h"
@@ -103,12 +104,12 @@ MeshDesc meshFrom(const aiMesh& from)
 }
 
 // The mesh's material, or one of its own where its vertices have colours, which become a texture.
-int materialOf(const aiMesh& from, SceneTextures& textures, LeftOut& left_out, Scene& scene,
-               MeshDesc& mesh)
+int materialOf(const aiMesh& from, bool with_colors, SceneTextures& textures, LeftOut& left_out,
+               Scene& scene, MeshDesc& mesh)
 {
     const std::size_t index =
         std::min(std::size_t{from.mMaterialIndex}, scene.materials.size() - 1);
-    if (!from.HasVertexColors(0)) return static_cast<int>(index);
+    if (!with_colors || !from.HasVertexColors(0)) return static_cast<int>(index);
     std::vector<float> colors;
     for (unsigned k = 0; k < from.mNumVertices; ++k) {
         const aiColor4D& color = from.mColors[0][k];
@@ -203,26 +204,22 @@ Status checkCounts(const aiScene& scene, const std::string& path, std::uint64_t 
 // file.
 class SceneFiles : public Assimp::DefaultIOSystem {
 public:
-    SceneFiles(SceneFolder& folder, const ImportOptions& options)
-        : folder_(folder),
-          options_(options)
-    {
-    }
+    explicit SceneFiles(SceneFolder& folder) : folder_(folder) {}
 
     bool Exists(const char* file) const override { return folder_.allows(file); }
     Assimp::IOStream* Open(const char* file, const char* mode) override
     {
         const bool reads = std::string_view(mode).find_first_of("wa+") == std::string_view::npos;
-        const bool opens = reads && !folder_.refuses(file) && folder_.allows(file);
+        const bool refused = folder_.refuses(file);
+        const bool opens = reads && !refused && folder_.allows(file);
+        if (!opens && !refused && lowerExtension(file) == ".mtl") folder_.lacks(file);
         if (!opens) return nullptr;
         folder_.opens(file);
-        limitSelf(readerLimits(folder_.bytes(), options_));
         return DefaultIOSystem::Open(file, mode);
     }
 
 private:
     SceneFolder& folder_;
-    const ImportOptions& options_;
 };
 
 // A file is otherwise read by whichever reader knows its first bytes, whatever its name.
@@ -239,7 +236,7 @@ void keepDefaultFormats(Assimp::Importer& importer)
 void configure(Assimp::Importer& importer, const ImportOptions& options, SceneFolder& folder)
 {
     if (!options.any_format) keepDefaultFormats(importer);
-    importer.SetIOHandler(new SceneFiles(folder, options));  // which it deletes
+    importer.SetIOHandler(new SceneFiles(folder));  // which it deletes
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
@@ -267,6 +264,9 @@ Status checkPly(const std::string& path)
     const std::string start = readStart(path, kLongestHeader).bytes;
     if (!startsWith(start, "ply")) return {};
     if (!has(start, "end_header")) return brokenScene(path, "it ends within its header");
+    if (has(start, "element tristrips"))
+        return brokenScene(path, "strips of triangles are not read",
+                           "save it with faces, for example by MeshLab");
     std::error_code error;
     const std::uint64_t bytes = std::filesystem::file_size(path, error);
     constexpr std::string_view kBlank = " \t", kElement = "element";
@@ -281,6 +281,9 @@ Status checkPly(const std::string& path)
             return overLimit(path, "elements of one kind", claimed, static_cast<double>(bytes),
                              bytes);
     }
+    if (!has(start, "element face"))
+        return Diagnostic{Code::scene_empty, "the scene '" + path + "' has no faces",
+                          "points and splats cast no occlusion; export the scene with its faces"};
     return {};
 }
 
@@ -310,13 +313,18 @@ Result<ReadScene> readByAssimp(const std::string& path, const ImportOptions& opt
 
     Scene& scene = read.scene;
     SceneTextures textures(path, folder, scene, warnings);
-    importMaterials(*from, textures, scene);
+    importMaterials(*from, textures, scene, left_out);
     for (const std::string& file : folder.opened()) findLeftOutOfMtl(file, left_out);
+    if (const std::string& lacking = folder.lacking(); !lacking.empty() && !folder.refusedAny())
+        left_out.shape.insert("its materials, since there is no file '" + lacking + "'");
     std::vector<int> materials;
     for (unsigned index = 0; index < from->mNumMeshes; ++index) {
         const aiMesh& each = *from->mMeshes[index];
         MeshDesc mesh = meshFrom(each);
-        materials.push_back(materialOf(each, textures, left_out, scene, mesh));
+        // Two programs mean opposite things by the bit that says which facets have colours.
+        const bool facets = lowerExtension(path) == ".stl" && each.HasVertexColors(0);
+        if (facets) left_out.look.insert("colours of facets");
+        materials.push_back(materialOf(each, !facets, textures, left_out, scene, mesh));
         read.turned += finishMesh(mesh, each.HasNormals(), kCreaseDegrees);
         scene.meshes.push_back(std::move(mesh));
     }

@@ -4,14 +4,16 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/commands/cli/output.h"
+#include "tools/render/scene/file/limits.h"
 
 namespace crevice {
 
 namespace fs = std::filesystem;
 
-SceneFolder::SceneFolder(const std::string& scene, const std::vector<std::string>& roots)
+SceneFolder::SceneFolder(const std::string& scene, const ImportOptions& options)
     : scene_(scene),
-      roots_(roots)
+      options_(options),
+      roots_(options.roots)
 {
     const fs::path folder = fs::path(scene).parent_path();
     roots_.push_back(folder.empty() ? "." : folder.string());
@@ -36,7 +38,10 @@ void SceneFolder::opens(const fs::path& file)
 {
     std::error_code error;
     const std::uintmax_t size = fs::file_size(file, error);
-    if (!error && opened_.insert(file.string()).second) bytes_ += size;
+    if (error || !opened_.insert(file.string()).second) return;
+    bytes_ += size;
+    if (file.extension() == ".mtl") lacking_.clear();
+    limitSelf(readerLimits(bytes_, options_));
 }
 
 Diagnostic SceneFolder::warning() const

@@ -160,7 +160,7 @@ bool isGltf(const std::string& path)
 
 Result<Scene> readScene(const std::string& path, const ImportOptions& options)
 {
-    SceneFolder folder(path, options.roots);
+    SceneFolder folder(path, options);
     Diagnostics warnings;
     Result<ReadScene> read = readByFormat(path, options, folder, warnings);
     if (!read && folder.refusedAny()) {

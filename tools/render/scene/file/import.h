@@ -10,6 +10,8 @@ struct aiScene;
 
 namespace crevice {
 
+struct LeftOut;
+
 class SceneFolder;
 class SceneTextures;
 
@@ -61,7 +63,15 @@ Result<ReadScene> readByAssimp(const std::string& path, const ImportOptions& opt
 
 /// Appends a material for each of `from`'s, in its order, and the base-colour textures that they
 /// use, each once.
-void importMaterials(const aiScene& from, SceneTextures& textures, Scene& scene);
+void importMaterials(const aiScene& from, SceneTextures& textures, Scene& scene, LeftOut& left_out);
+
+/// Textures with alpha of which fewer texels than this part are neither clear nor solid are cut
+/// out.
+constexpr double kMostVague = 0.1;
+constexpr float kClear = 0.1f, kSolid = 0.9f;
+
+/// The part of the texels that are neither clear nor solid, and the least alpha of all.
+std::pair<double, float> alphaOf(const Image& image);
 
 /// world_from_node by node name: Assimp's cameras and lights stand where the node of their name is.
 using NodePlaces = std::map<std::string, glm::dmat4>;

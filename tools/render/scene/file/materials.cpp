@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Materials of Assimp's.
 #include "tools/render/scene/file/import.h"
+#include "tools/render/scene/file/left_out.h"
 #include "tools/render/scene/file/textures.h"
 
 #include <assimp/material.h>
@@ -108,8 +109,10 @@ Image withHoles(const Image* color, const Image& holes)
     return joined;
 }
 
-// Where the material's map of opacity, or the alpha of its colours, has holes.
-void importHoles(int holes, SceneTextures& textures, Scene& scene, SceneMaterial& material)
+// Where the material's map of opacity, or the alpha of its colours, has holes. The latter may be
+// something else, such as a mask of highlights, where it is mostly neither clear nor solid.
+void importHoles(int holes, SceneTextures& textures, Scene& scene, SceneMaterial& material,
+                 LeftOut& left_out)
 {
     int& color = material.base_color_texture;
     const auto imageOf = [&](int index) { return &scene.textures[std::size_t(index)].image; };
@@ -119,14 +122,28 @@ void importHoles(int holes, SceneTextures& textures, Scene& scene, SceneMaterial
             textures.add(scene.textures[std::size_t(holes)].name + " as holes", std::move(joined));
     }
     if (color < 0) return;
-    const std::vector<float>& texels = imageOf(color)->pixels;
-    for (std::size_t k = 3; k < texels.size(); k += 4)
-        if (texels[k] < kCutoff) material.alpha_cutoff = kCutoff;
+    const auto [vague, least] = alphaOf(*imageOf(color));
+    if (least >= kCutoff) return;
+    if (holes >= 0 || vague < kMostVague)
+        material.alpha_cutoff = kCutoff;
+    else
+        left_out.look.insert("alpha of map_Kd that is no cut-out");
 }
 
 }  // namespace
 
-void importMaterials(const aiScene& from, SceneTextures& textures, Scene& scene)
+std::pair<double, float> alphaOf(const Image& image)
+{
+    double vague = 0;
+    float least = 1;
+    for (std::size_t k = 3; k < image.pixels.size(); k += 4) {
+        vague += image.pixels[k] > kClear && image.pixels[k] < kSolid;
+        least = std::min(least, image.pixels[k]);
+    }
+    return {vague * 4 / static_cast<double>(std::max<std::size_t>(image.pixels.size(), 1)), least};
+}
+
+void importMaterials(const aiScene& from, SceneTextures& textures, Scene& scene, LeftOut& left_out)
 {
     for (unsigned index = 0; index < from.mNumMaterials; ++index) {
         const aiMaterial& each = *from.mMaterials[index];
@@ -141,7 +158,8 @@ void importMaterials(const aiScene& from, SceneTextures& textures, Scene& scene)
         material.emission_texture = texture(aiTextureType_EMISSIVE, Encoding::srgb);
         if (material.emission_texture >= 0 && material.emission == glm::vec3(0.0f))
             material.emission = glm::vec3(1.0f);
-        importHoles(texture(aiTextureType_OPACITY, Encoding::linear), textures, scene, material);
+        importHoles(texture(aiTextureType_OPACITY, Encoding::linear), textures, scene, material,
+                    left_out);
         scene.materials.push_back(std::move(material));
     }
     if (scene.materials.empty()) scene.materials.emplace_back();

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <charconv>
 #include <new>
+#include <set>
 
 namespace crevice {
 
@@ -29,7 +30,7 @@ Image linearRgba(const Image& image, Encoding encoding)
         float* to = &rgba.pixels[pixel * 4];
         for (int channel = 0; channel < 3; ++channel) {
             const float value = image.channels >= 3 ? from[channel] : from[0];
-            to[channel] = encoding == Encoding::srgb ? linearFromSrgb(value) : value;
+            to[channel] = encoding == Encoding::srgb ? pictureLinearFromSrgb(value) : value;
         }
         if (image.channels % 2 == 0) to[3] = from[image.channels - 1];
     }
@@ -52,12 +53,16 @@ std::optional<std::string> textureFile(const std::string& scene_path, SceneFolde
                                        std::string name)
 {
     std::replace(name.begin(), name.end(), '\\', '/');
+    name.erase(name.find_last_not_of(" \t\r") + 1);
     const std::filesystem::path folder = std::filesystem::path(scene_path).parent_path();
+    std::set<std::filesystem::path> folders = {folder};  // of the scene, and of its .mtl files
+    for (const std::string& file : allowed.opened())
+        folders.insert(std::filesystem::path(file).parent_path());
     std::vector<std::filesystem::path> candidates;
     for (const std::string& spelling : {name, percentDecoded(name)})
         for (const std::filesystem::path& path :
              {std::filesystem::path(spelling), std::filesystem::path(spelling).filename()})
-            candidates.push_back(folder / path);
+            for (const std::filesystem::path& each : folders) candidates.push_back(each / path);
     for (const auto& candidate : candidates)
         if (allowed.allows(candidate)) return candidate.string();
     for (const auto& candidate : candidates)

@@ -22,7 +22,10 @@ Image paintedCorners(const std::vector<float>& colors, double most_texels, MeshD
         glm::vec4 texels[4];
         for (int corner = 0; corner < 3; ++corner) {
             const std::uint32_t index = mesh.indices[3 * k + static_cast<std::size_t>(corner)];
-            texels[corner] = glm::make_vec4(&colors[4 * std::size_t{index}]);
+            for (int channel = 0; channel < 4; ++channel) {
+                const float value = colors[4 * std::size_t{index} + std::size_t(channel)];
+                texels[corner][channel] = std::isfinite(value) ? value : 1.0f;
+            }
             Vertex& vertex = corners.emplace_back(mesh.vertices[index]);
             vertex.uv[0] = (static_cast<float>(x + corner % 2) + 0.5f) / static_cast<float>(side);
             vertex.uv[1] = (static_cast<float>(y + corner / 2) + 0.5f) / static_cast<float>(side);

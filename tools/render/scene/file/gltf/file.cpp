@@ -163,14 +163,9 @@ std::string forTinygltf(json gltf, const std::string& path, std::size_t binary_s
     return gltf.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-struct Reading {
-    SceneFolder& folder;
-    const ImportOptions& options;
-};
-
 bool exists(const std::string& file, void* user)
 {
-    SceneFolder& folder = static_cast<Reading*>(user)->folder;
+    SceneFolder& folder = *static_cast<SceneFolder*>(user);
     return !folder.refuses(file) && folder.allows(file);
 }
 
@@ -179,9 +174,7 @@ std::string sameName(const std::string& file, void*) { return file; }
 bool readWhole(std::vector<unsigned char>* bytes, std::string* error, const std::string& path,
                void* user)
 {
-    const auto& [folder, options] = *static_cast<Reading*>(user);
-    folder.opens(path);
-    limitSelf(readerLimits(folder.bytes(), options));
+    static_cast<SceneFolder*>(user)->opens(path);
     const FileBytes file = readBytes(path, std::numeric_limits<std::uint32_t>::max());
     *error = file.failure;
     bytes->assign(file.bytes.begin(), file.bytes.end());
@@ -195,7 +188,7 @@ std::string padded(std::string bytes, char with)
 }
 
 // As a .glb file, in which buffers that have no URI are allowed.
-void readModel(std::string text, std::string data, const std::string& path, Reading reading,
+void readModel(std::string text, std::string data, const std::string& path, SceneFolder& folder,
                tinygltf::Model& model)
 {
     const auto chunk = [](std::string& glb, std::string_view type, std::string bytes) {
@@ -209,7 +202,7 @@ void readModel(std::string text, std::string data, const std::string& path, Read
     if (!data.empty()) chunk(glb, {"BIN\0", 4}, padded(std::move(data), '\0'));
     glb.replace(8, 4, littleEndian(static_cast<std::uint32_t>(glb.size())));
     tinygltf::TinyGLTF reader;
-    reader.SetFsCallbacks({exists, sameName, readWhole, nullptr, &reading});
+    reader.SetFsCallbacks({exists, sameName, readWhole, nullptr, &folder});
     std::string error, warning;
     const bool read = reader.LoadBinaryFromMemory(
         &model, &error, &warning, reinterpret_cast<const unsigned char*>(glb.data()),
@@ -274,12 +267,12 @@ Result<GltfFile> GltfFile::parse(const std::string& path)
     return file;
 }
 
-Status GltfFile::load(const std::string& path, const ImportOptions& options, SceneFolder& folder)
+Status GltfFile::load(const std::string& path, SceneFolder& folder)
 {
     const double bytes = bytesOf(document_, path, folder.bytes());
     if (Status fits = checkClaims(document_, path, bytes); !fits) return fits;
-    readModel(forTinygltf(document_, path, binary_.size()), std::move(binary_), path,
-              {folder, options}, model_);
+    std::string text = forTinygltf(document_, path, binary_.size());  // before its bytes are moved
+    readModel(std::move(text), std::move(binary_), path, folder, model_);
     return {};
 }
 

@@ -47,7 +47,7 @@ public:
 
     /// Has tinygltf read it and its buffers, unless it would unfold to more than its size allows.
     /// Throws BrokenGltf. Errors: CV7002.
-    Status load(const std::string& path, const ImportOptions& options, SceneFolder& folder);
+    Status load(const std::string& path, SceneFolder& folder);
 
     const json& document() const { return document_; }
     const json& list(const char* name) const { return member(document_, name); }

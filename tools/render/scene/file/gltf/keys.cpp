@@ -215,8 +215,9 @@ LeftOut leftOutOf(const json& gltf)
 Status checkRequired(const json& gltf, const std::string& path)
 {
     const json& version = member(member(gltf, "asset"), "version");
-    if (version.is_string() && !startsWith(version.get<std::string>(), "2."))
-        throw BrokenGltf("it is of glTF " + version.get<std::string>() + ", not 2.0");
+    const std::string said = version.is_string() ? version.get<std::string>() : version.dump();
+    if (!version.is_null() && !startsWith(said, "2."))
+        throw BrokenGltf("it is of glTF " + said + ", not 2.0");
     std::vector<std::string> missing;
     std::set<std::string> ways_out;
     for (const std::string& name : names(member(gltf, "extensionsRequired"))) {

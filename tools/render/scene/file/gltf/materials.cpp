@@ -2,6 +2,7 @@
 #include "tools/render/scene/file/gltf/materials.h"
 
 #include "core/base/text.h"
+#include "tools/render/scene/file/import.h"
 #include "tools/render/scene/file/vertex_colors.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -21,10 +22,6 @@ constexpr int kSharp = 8;
 
 // Copies of a texture side by side that stand for its edge texels beyond it.
 constexpr int kMostTiles = 16;
-
-// Blended textures of which fewer texels than this part are neither clear nor solid are cut out.
-constexpr double kMostVague = 0.1;
-constexpr float kClear = 0.1f, kSolid = 0.9f;
 
 // Glass lets through what is behind it; below that the surface itself is what is seen.
 constexpr double kLeastTransmission = 0.5;
@@ -90,18 +87,6 @@ const json& leadOf(const json& material)
     for (const TextureUse& use : uses)
         if (use.from->is_object()) return *use.from;
     return *uses[0].from;
-}
-
-// Part of the texels that are neither clear nor solid, and the least alpha of all.
-std::pair<double, float> alphaOf(const Image& image)
-{
-    double vague = 0;
-    float least = 1;
-    for (std::size_t k = 3; k < image.pixels.size(); k += 4) {
-        vague += image.pixels[k] > kClear && image.pixels[k] < kSolid;
-        least = std::min(least, image.pixels[k]);
-    }
-    return {vague * 4 / static_cast<double>(std::max<std::size_t>(image.pixels.size(), 1)), least};
 }
 
 // The texel of the original that stands at `at` of one laid out from tile `first` on.

@@ -186,6 +186,7 @@ Result<std::vector<PosedNode>> posedNodes(const GltfFile& file, const ImportOpti
         const Open at = open.back();
         open.pop_back();
         const auto index = static_cast<std::size_t>(at.node);
+        if (index < nodes.size() && seen[index]) left_out.shape.insert("nodes at a second parent");
         if (index >= nodes.size() || seen[index]) continue;
         seen[index] = true;
         const json& shown = member(

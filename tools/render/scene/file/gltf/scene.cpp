@@ -228,7 +228,7 @@ Result<ReadScene> readGltf(const std::string& path, const ImportOptions& options
     Result<GltfFile> file = GltfFile::parse(path);
     if (!file) return file.diagnostics();
     Status readable = checkRequired(file->document(), path);
-    if (readable) readable = file->load(path, options, folder);
+    if (readable) readable = file->load(path, folder);
     if (!readable) return readable.diagnostics();
     LeftOut left_out = leftOutOf(file->document());
     const Result<std::vector<PosedNode>> posed = posedNodes(*file, options, left_out);
