@@ -86,6 +86,17 @@ expect 0 'wrote lit.png' render imports/mine.json "${small[@]}" --out lit=lit.pn
 ln -sf ../ao.png imports/dirt.png
 expect 1 'mine.json:1:.*CV1204.*outside of' render imports/mine.json "${small[@]}" --out lit=lit.png
 expect 0 'wrote lit.png' render imports/mine.json "${small[@]}" --out lit=lit.png --root .
+# That a module imports, too: here a panorama of one blue pixel, as .hdr.
+printf '{"format": 1, "extends": ["balanced", "lighting/metallic_roughness"]}\n' >imports/lit.json
+printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x10\x20\xff\x82\x10\x20\xff\x82' >sky.hdr
+expect 0 'wrote grey.pfm' render imports/lit.json "${small[@]}" --out reflections=grey.pfm
+cp sky.hdr imports/environment.hdr
+expect 0 'environment is imports/environment.hdr' render imports/lit.json "${small[@]}" --out reflections=blue.pfm
+expect 0 'environment is sky.hdr' render balanced+lighting/metallic_roughness "${small[@]}" --texture environment=sky.hdr \
+    --out reflections=same.pfm
+expect 5 'over' compare blue.pfm grey.pfm --max-rmse 0.1
+expect 0 'rmse' compare blue.pfm same.pfm --max-rmse 0
+expect 2 'CV8001.*environment=FILE' render imports/lit.json "${small[@]}" --texture sky=sky.hdr
 rm imports/dirt.png && mkfifo imports/dirt.png
 expect 1 'CV7005.*no regular file' render imports/mine.json "${small[@]}" --out lit=lit.png
 expect 0 'wrote' render mobile "${small[@]}" --set guard_band=1 --out ao=drawn.pfm
