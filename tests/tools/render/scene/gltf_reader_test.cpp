@@ -322,7 +322,7 @@ TEST_CASE("what metallic-roughness lighting shows of a material, glTF gives with
     const auto read = [](const json& material) {
         GltfTestFile file;
         file.primitive()["material"] = 0;
-        file.json["materials"] = {material};
+        file.json["materials"] = json::array({material});
         const Scene scene = load(file);
         return scene.materials[std::size_t(scene.instances[0].material)];
     };

@@ -273,11 +273,13 @@ TEST_CASE("a texture that is no regular file is left out and not waited for")
 {
     const Textured set("pipe.pgm");
     REQUIRE(mkfifo((set.folder.path / "scene/pipe.pgm").c_str(), 0600) == 0);
-    const auto scene = importScene(set.scene, soon());
+    ImportOptions patient;
+    patient.time_s = 20;
+    const auto scene = importScene(set.scene, patient);
     REQUIRE(scene.ok());
     REQUIRE(scene.diagnostics().size() == 1);
     CHECK(scene.diagnostics()[0].code == Code::image_broken);
-    CHECK(importScene(Textured("/dev/zero").scene, soon()).ok());
+    CHECK(importScene(Textured("/dev/zero").scene, patient).ok());
 }
 
 TEST_CASE("materials outside the scene's folder are not read")

@@ -373,6 +373,33 @@ test('crevice view opens what a link says, of one\'s own files too', async () =>
   }, config, '--scene', model);
 });
 
+test('A model that is dropped is the scene of crevice view; a page of its own says how to see it', async () => {
+  const drop = (page, name, text) => page.evaluate(async (name, text) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], name));
+    dispatchEvent(new DragEvent('drop', {dataTransfer, cancelable: true}));
+    await crevice.app.whenIdle();
+    return [crevice.engine.scene.name, crevice.app.message?.text ?? ''];
+  }, name, text);
+  const tent = 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 2 3\nf 1 2 4\n';
+  const alone = await open('#scene=corner&size=96x54');
+  assert.match((await drop(alone, 'tent.obj', tent))[1], /crevice view --scene tent.obj/);
+  await alone.close();
+  await viewing(async address => {
+    const page = await open(address + '#size=96x54');
+    assert.deepEqual(await drop(page, 'tent.obj', tent), ['tent', '']);
+    assert.equal(await page.evaluate(() => crevice.app.builtin), null);
+    quiet(page);
+    const [name, said] = await drop(page, 'broken.glb', 'nothing');
+    assert.equal(name, 'tent');
+    assert.match(said, /CV7002.*broken.glb/);
+    await page.reload();
+    await rest(page);
+    assert.equal(await page.evaluate(() => crevice.engine.scene.name), 'tent');
+    await page.close();
+  });
+});
+
 test('The heat map says what crevice compare says', async () => {
   const page = await open('#config=balanced&scene=spheres&show=ao');
   const camera = 'eye=1,1.7,3.2;at=0.15,0.4,0';

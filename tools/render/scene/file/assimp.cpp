@@ -210,7 +210,7 @@ public:
     Assimp::IOStream* Open(const char* file, const char* mode) override
     {
         const bool reads = std::string_view(mode).find_first_of("wa+") == std::string_view::npos;
-        const bool refused = folder_.refuses(file);
+        const bool refused = reads && folder_.refuses(file);
         const bool opens = reads && !refused && folder_.allows(file);
         if (!opens && !refused && lowerExtension(file) == ".mtl") folder_.lacks(file);
         if (!opens) return nullptr;
