@@ -244,7 +244,7 @@ TEST_CASE_METHOD(Lighting,
     };
     add({0.2f, 0.6f, 0.1f, 0.5f}, {0, 1.575, 3});
     add({0.7f, 0.1f, 0.1f, 0.25f}, {0, 1.15, 2});
-    add({1, 1, 1, 1}, {0, -9, -3});
+    add({1, 1, 1, 1}, {0, -0.55, -2});
     const std::size_t count = panes.draws.size();
     Frame turned = panes;
     std::swap(turned.draws[count - 3], turned.draws[count - 2]);
