@@ -8,6 +8,7 @@
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/session.h"
 #include "tools/render/view_diagnosis.h"
+#include "tools/show/plan/print.h"
 
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"

@@ -387,15 +387,15 @@ test('A model that is dropped is the scene of crevice view; a page of its own sa
   await alone.close();
   await viewing(async address => {
     const page = await open(address + '#size=96x54');
-    assert.deepEqual(await drop(page, 'tent.obj', tent), ['tent', '']);
+    assert.deepEqual(await drop(page, 'tent.obj', tent), ['tent.obj', '']);
     assert.equal(await page.evaluate(() => crevice.app.builtin), null);
     quiet(page);
     const [name, said] = await drop(page, 'broken.glb', 'nothing');
-    assert.equal(name, 'tent');
+    assert.equal(name, 'tent.obj');
     assert.match(said, /CV7002.*broken.glb/);
     await page.reload();
     await rest(page);
-    assert.equal(await page.evaluate(() => crevice.engine.scene.name), 'tent');
+    assert.equal(await page.evaluate(() => crevice.engine.scene.name), 'tent.obj');
     await page.close();
   });
 });
