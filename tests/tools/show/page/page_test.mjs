@@ -399,6 +399,7 @@ test('A model that is dropped is the scene of crevice view; a page of its own sa
     assert.equal(name, 'tent.obj');
     assert.match(said, /CV7002.*broken.glb/);
     await page.reload();
+    await page.waitForFunction(() => window.crevice?.app.started);
     await rest(page);
     assert.equal(await page.evaluate(() => crevice.engine.scene.name), 'tent.obj');
     await page.close();
