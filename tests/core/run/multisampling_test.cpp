@@ -91,6 +91,22 @@ TEST_CASE("A device draws the samples, resolves what is stored, and nobody sampl
     CHECK(device.misuse().empty());
 }
 
+TEST_CASE("A pass that goes on draws on what was resolved, of one sample")
+{
+    RecordingDevice device;
+    Sketch sketch = sketched("4");
+    sketch.passes = {R"(paint: -> color | "type": "draw", "depth": "d")",
+                     R"(more: -> color | "type": "draw", "over": "paint")"};
+    sketch.outputs = {{"out", "color"}};
+    const auto renderer = need(Renderer::create(device, describe(sketch), sized(), {}));
+    need(renderer->render({}));
+    CHECK(renderer->plan().passes[1].samples == 1);
+    for (const char* line : {"createFramebuffer 'paint' color 'color' depth 'd' resolve 'color'\n",
+                             "createFramebuffer 'more' color 'color'\n"})
+        CHECK_THAT(device.log(), Catch::Contains(line));
+    CHECK(device.misuse().empty());
+}
+
 TEST_CASE(
     "A device draws the next count that all formats of a pass have, or says that it has fewer")
 {
