@@ -96,7 +96,7 @@ expect 0 'environment is sky.hdr' render balanced+lighting/metallic_roughness "$
     --out reflections=same.pfm
 expect 5 'over' compare blue.pfm grey.pfm --max-rmse 0.1
 expect 0 'rmse' compare blue.pfm same.pfm --max-rmse 0
-expect 2 'CV8001.*environment=FILE' render imports/lit.json "${small[@]}" --texture sky=sky.hdr
+expect 2 'help: write --texture environment=FILE' render imports/lit.json "${small[@]}" --texture sky=sky.hdr
 rm imports/dirt.png && mkfifo imports/dirt.png
 expect 1 'CV7005.*no regular file' render imports/mine.json "${small[@]}" --out lit=lit.png
 expect 0 'wrote' render mobile "${small[@]}" --set guard_band=1 --out ao=drawn.pfm
