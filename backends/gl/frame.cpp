@@ -155,6 +155,7 @@ void GlDevice::setProgram(ProgramId id, const StateDesc& state)
     state_.setEnabled(GL_CULL_FACE, state.cull != Cull::none);
     gl_.CullFace(state.cull == Cull::front ? GL_FRONT : GL_BACK);
     state_.setEnabled(GL_BLEND, state.blend);
+    if (!state.blend) return;
     gl_.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.BlendEquation(GL_FUNC_ADD);
 }

@@ -150,9 +150,8 @@ void fields(V& v, SizeDesc& s)
             range(smallestScale(s), kLargestScale));
     v.field("optional", s.optional,
             "Whether the param that `scale` names may be lacking: the scale then is 1.");
-    v.field("width", s.width, "Texels, of what has the same size for each output.",
-            range(1, 16384));
-    v.field("height", s.height, "Likewise.", range(1, 16384));
+    v.field("width", s.width, "Texels across, whatever the size of the output.", range(1, 16384));
+    v.field("height", s.height, "Texels from bottom to top, likewise.", range(1, 16384));
     if (!v.has("height")) v.refuse("width", Code::missing_key, "there is no 'height'");
     if (!v.has("width")) v.refuse("height", Code::missing_key, "there is no 'width'");
     if (!v.has("scale"))

@@ -93,9 +93,6 @@ std::optional<Diagnostic> unlitMaterials(const Plan& plan, const Scene& scene)
             return findNamed(pass.uniforms, uniform) != nullptr;
         });
     };
-    const bool baked = anyOf(plan.passes, [](const PlanPass& pass) {
-        return findNamed(pass.inputs, "occlusion_map") || findNamed(pass.inputs, "baked_ao");
-    });
     if (!reads("ambient_light") || reads("emission")) return std::nullopt;
     std::vector<std::string> parts;
     const auto add = [&](const char* what, auto has) {
@@ -107,13 +104,15 @@ std::optional<Diagnostic> unlitMaterials(const Plan& plan, const Scene& scene)
                (m.roughness < 1 && m.specular == glm::vec3(0.0f));  // no highlight says so
     });
     add("emission", [](Each m) { return m.emission != glm::vec3(0.0f); });
-    if (!baked) add("baked occlusion", [](Each m) { return m.occlusion_texture >= 0; });
+    add("reflectance", [](Each m) { return m.reflectance != SceneMaterial().reflectance; });
+    if (!findNamed(plan.targets, "baked_ao"))
+        add("baked occlusion", [](Each m) { return m.occlusion_texture >= 0; });
     add("unlit materials", [](Each m) { return m.unlit; });
     if (parts.empty()) return std::nullopt;
     return asWarning(
         {Code::scene_features,
          "the lit picture of '" + scene.name + "' does not show " + joined(parts, " and "),
-         "occlusion needs none of it; " + plan.config + "+lighting/metallic_roughness shows it"});
+         "occlusion needs none of it; 'CONFIG+lighting/metallic_roughness' shows it"});
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ constexpr double kLargestScale = 4.0;
 /// How large a target is in each direction: max(1, ceil(followed * scale)); with `border`
 /// followed + 2 * ceil(followed * (scale - 1) / 2); or so many texels.
 struct SizeDesc {
-    int width = 0, height = 0;  ///< Texels, [1, 16384], whatever it follows; 0 for what that is.
+    int width = 0, height = 0;  ///< Texels, [1, 16384], in place of all that; or 0 and 0.
     Reference of = {};  ///< Another target; empty, or an imported texture, follows the output.
     Reference scale_param = {};  ///< The param that gives the scale; empty when `scale` does.
     bool optional = false;       ///< The param may be lacking: the scale then is 1.

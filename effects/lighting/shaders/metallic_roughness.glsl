@@ -72,7 +72,7 @@ vec3 reflectedFrom(Reflecting r, Surface s, float gloss_open, highp vec3 directi
 vec3 mapped(highp vec2 place, highp float level)
 {
     highp float margin = 0.5 / 32.0;  // half a texel of a map, so that none bleeds into the next
-    return texture(reflections, vec2(place.x, (level + clamp(place.y, margin, 1.0 - margin)) / 5.0)).rgb;
+    return texture(reflections, vec2(place.x, (level + clamp(place.y, margin, 1.0 - margin)) / kMaps)).rgb;
 }
 
 // Seen in the mirrored direction: the shares of `ahead`, and beside it, that surroundings give on average.
@@ -90,7 +90,7 @@ vec3 reflectedAround(Reflecting r, Surface s, float screen_open)
     highp mat3 turn = mat3(world_from_view);
     vec2 share = mirroredShare(r.rough, r.facing);
     vec3 mirrored = (r.ahead * share.x + share.y) * (1.0 + r.ahead * (1.0 / (share.x + share.y) - 1.0));
-    vec3 scattered = mapped(placeOf(turn * s.normal), 4.0) * r.diffuse * ambientOpen(open, r.diffuse);
+    vec3 scattered = mapped(placeOf(turn * s.normal), kMaps - 1.0) * r.diffuse * ambientOpen(open, r.diffuse);
     highp vec2 place = placeOf(turn * reflect(-r.to_eye, s.normal));
     highp float level = r.rough * 3.0;
     highp float sharper = min(floor(level), 2.0);

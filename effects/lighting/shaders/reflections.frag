@@ -1,10 +1,9 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// What surfaces that face or mirror each direction see of the surroundings: five maps, one above the other. The first
-// four are for growing roughness (kRoughness of metallic_roughness.glsl), the last for matte surfaces.
+// What surfaces that face or mirror each direction see of the surroundings: kMaps maps, one above the other.
 //
 //   surroundings  longitude by latitude, linear colour
-//   reflections   likewise, five of them
+//   reflections   likewise, kMaps of them
 // [Karis 2013 - what a rough surface mirrors, as if seen from ahead; Walter et al. 2007 - GGX]
 precision highp float;
 
@@ -27,14 +26,14 @@ float weightOf(float facing, float alpha)
 
 void main()
 {
-    float level = min(floor(uv.y * 5.0), 4.0);
-    vec2 place = vec2(uv.x, uv.y * 5.0 - level);
+    float level = min(floor(uv.y * kMaps), kMaps - 1.0);
+    vec2 place = vec2(uv.x, uv.y * kMaps - level);
     if (level == 0.0) {
         reflections = vec4(textureLod(surroundings, place, 0.0).rgb, 1.0);
         return;
     }
     float roughness = level / 3.0;
-    float alpha = level == 4.0 ? 0.0 : roughness * roughness;
+    float alpha = level == kMaps - 1.0 ? 0.0 : roughness * roughness;
     vec3 axis = directionAt(place);
     ivec2 size = textureSize(surroundings, 0);
     vec4 sum = vec4(0.0);

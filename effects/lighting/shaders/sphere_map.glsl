@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Directions in the world, y up, and places on a map of all of them: longitude by latitude, as in an .hdr panorama.
 
+// Maps that `reflections` holds, one above the other: of roughness 0, 1/3, 2/3 and 1, and of matte surfaces.
+const highp float kMaps = 5.0;
+
 // 0..1 each; the middle of the map is -z.
 highp vec2 placeOf(highp vec3 direction)
 {

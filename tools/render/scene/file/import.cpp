@@ -76,17 +76,23 @@ void standUp(Scene& scene)
     }
 }
 
-// Sets what is seen through apart, unless there is nothing else.
-void setBlendedApart(Scene& scene)
+// Sets what is seen through apart, unless there is nothing else, of which it warns.
+Diagnostics setBlendedApart(Scene& scene, const std::string& path)
 {
     const auto solid = [&](const SceneInstance& each) {
         return !scene.materials[static_cast<std::size_t>(each.material)].blended;
     };
     std::vector<SceneInstance>& all = scene.instances;
     const auto first = std::stable_partition(all.begin(), all.end(), solid);
-    if (first == all.begin()) return;
+    if (first == all.begin())
+        return {asWarning({Code::scene_features,
+                           "the scene '" + path +
+                               "' is seen through at all of its meshes (BLEND, "
+                               "transmission, d), which are drawn solid",
+                           "make what is solid so in the file"})};
     scene.blended.assign(first, all.end());
     all.erase(first, all.end());
+    return {};
 }
 
 Result<Scene> finished(ReadScene read, const std::string& path, const ImportOptions& options,
@@ -106,7 +112,7 @@ Result<Scene> finished(ReadScene read, const std::string& path, const ImportOpti
     const std::size_t surfaces = turnInsideOut(scene);
     if (read.turned + surfaces > 0) warnings.push_back(turnedWarning(path, read.turned, surfaces));
     normalizeLights(scene);
-    if (!options.blended_solid) setBlendedApart(scene);
+    if (!options.blended_solid) append(warnings, setBlendedApart(scene, path));
     return {std::move(scene), std::move(warnings)};
 }
 

@@ -200,6 +200,7 @@ void GltfMaterials::setAlpha(int index, SceneMaterial& to) const
         to.alpha_cutoff = static_cast<float>(numberOf(member(from, "alphaCutoff"), 0.5));
     const double through = numberOf(member(glass, "transmissionFactor"), 0);
     to.blended = through >= kLeastTransmission && member(glass, "transmissionTexture").is_null();
+    if (!to.blended && through > 0) left_out_.look.insert("transmission below 0.5 or by a map");
     if (to.blended) to.base_color.a *= static_cast<float>(1 - kPane * through);
     if (mode != "BLEND" || to.blended) return;
     const float alpha = to.base_color.a;
