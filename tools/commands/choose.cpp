@@ -4,12 +4,17 @@
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/bench/choice.h"
+#include "tools/measure/bench/quick.h"
+#include "tools/render/device/open_device.h"
+#include "tools/render/image/image_file.h"
 #include "tools/render/scene/options.h"
 
 #include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace crevice {
 namespace {
@@ -19,10 +24,17 @@ constexpr std::size_t kOthersShown = 4;
 
 struct ChooseOptions {
     std::vector<std::string> results;
+    ConfigOptions config;  ///< What all configs have in common.
+    std::vector<std::string> configs;
+    SceneOptions scene;
+    ChoiceScope scope;  ///< Of results.
     std::string budget;
     double error = 0;
-    std::string size;
-    ChoiceScope scope;
+    bool motion = false;
+    std::string backend;
+    RunOptions run;
+    std::string write;
+    std::string write_front;
     bool json = false;
 };
 
@@ -30,39 +42,105 @@ struct ChooseOptions {
 struct Answer {
     std::vector<BenchSample> samples;
     Candidates candidates;
-    ChoiceLimit limit;
+    ChoiceLimits limits;
     Choice choice;
     Diagnostics warnings;
+    OpenDevice open = {};  ///< What comes later goes first.
+    BenchView view = {};
+    std::unique_ptr<QuickBench> quick = {};  ///< None where the samples are of earlier benches.
 
     const Candidate& best() const { return candidates.list[choice.within.front()]; }
+    const BenchSample& bestSample() const { return samples[best().sample]; }
 };
 
-Result<Answer> answerFor(ChooseOptions options)
+Result<ChoiceLimits> limitsOf(const ChooseOptions& options)
 {
-    if (options.budget.empty() == (options.error == 0))
-        return Diagnostic{Code::usage, "crevice choose wants one of --budget and --error",
-                          "write --budget 2ms for the most accurate config within a time, or "
-                          "--error 0.06 for the fastest within an error"};
-    Answer answer;
-    answer.limit = {ChoiceLimit::Kind::error, options.error};
+    ChoiceLimits limits;
     if (!options.budget.empty()) {
         const Result<ChoiceLimit> budget = parseBudget(options.budget);
         if (!budget) return budget.diagnostics();
-        answer.limit = *budget;
+        limits.push_back(*budget);
     }
-    if (!options.size.empty()) {
-        const Result<Extent> extent = parseSize(options.size);
+    if (options.error > 0) limits.push_back({ChoiceLimit::Kind::error, options.error});
+    if (!limits.empty()) return limits;
+    return Diagnostic{Code::usage, "crevice choose wants --budget, --error or both",
+                      "write --budget 2ms for the most accurate config within a time, or "
+                      "--error 0.06 for the fastest within an error"};
+}
+
+/// Measures in the scene. Errors: those of loadSceneView, openDevice and QuickBench::run.
+Status measureScene(const ChooseOptions& options, const SourceSet& sources, Answer& answer)
+{
+    const Result<double> time = timeBudgetOf(options.run);
+    if (!time) return time.diagnostics();
+    Progress progress;
+    progress.begin("loading the scene");
+    Result<SceneView> view = loadSceneView(options.scene);
+    if (!view) return view.diagnostics();
+    append(answer.warnings, view.diagnostics());
+    answer.view = {std::make_shared<Scene>(std::move(view->scene)), view->bounds, view->camera,
+                   view->extent};
+    Result<OpenDevice> open = openDevice(options.backend);
+    if (!open) return open.diagnostics();
+    answer.open = std::move(*open);
+    QuickOptions quick;
+    quick.scene = options.scene.scene;
+    quick.configs = options.configs;
+    quick.overrides = options.config.overrides;
+    quick.roots = options.config.roots;
+    quick.limits = answer.limits;
+    quick.whole_front = !options.write_front.empty();
+    quick.motion = options.motion;
+    if (*time > 0) quick.time_s = *time;
+    quick.version = CREVICE_VERSION;
+    quick.interrupted = interrupted;
+    quick.say = [&progress](const std::string& line) {
+        progress.wipe();
+        printMessage("%s\n", printableLine(line).c_str());
+        progress.begin("measuring");
+    };
+    progress.begin("measuring");
+    catchInterrupts();
+    answer.quick =
+        std::make_unique<QuickBench>(*answer.open.device, answer.view, sources, std::move(quick));
+    const Status measured = answer.quick->run();
+    if (!measured) return measured;
+    append(answer.warnings, measured.diagnostics());
+    answer.samples = answer.quick->samples();
+    return {};
+}
+
+/// Reads what was measured. Errors: those of readBenchSamples and parseSize.
+Status readResults(const ChooseOptions& options, ChoiceScope& scope, Answer& answer)
+{
+    if (!options.scene.size.empty()) {
+        const Result<Extent> extent = parseSize(options.scene.size);
         if (!extent) return extent.diagnostics();
-        options.scope.extent = *extent;
+        scope.extent = *extent;
     }
+    scope.scene = options.scene.scene;
     Result<std::vector<BenchSample>> samples = readBenchSamples(options.results);
     if (!samples) return samples.diagnostics();
-    answer.warnings = samples.diagnostics();
+    append(answer.warnings, samples.diagnostics());
     answer.samples = std::move(*samples);
-    Result<Candidates> candidates = findCandidates(answer.samples, options.scope);
+    return {};
+}
+
+Result<Answer> answerFor(const ChooseOptions& options, const SourceSet& sources)
+{
+    Answer answer;
+    Result<ChoiceLimits> limits = limitsOf(options);
+    if (!limits) return limits.diagnostics();
+    answer.limits = std::move(*limits);
+    ChoiceScope scope = options.scope;
+    scope.motion = options.motion;
+    const Status known = options.results.empty() ? measureScene(options, sources, answer)
+                                                 : readResults(options, scope, answer);
+    if (!known) return known.diagnostics();
+    Result<Candidates> candidates = findCandidates(answer.samples, scope);
     if (!candidates) return candidates.diagnostics();
     answer.candidates = std::move(*candidates);
-    Result<Choice> choice = choose(answer.candidates, answer.limit);
+    Result<Choice> choice = choose(answer.candidates, answer.limits);
     if (!choice) return choice.diagnostics();
     answer.choice = std::move(*choice);
     return answer;
@@ -85,45 +163,74 @@ void printOthers(const Answer& answer, const char* title, const std::vector<std:
     const std::size_t end = std::min(others.size(), first + kOthersShown);
     for (std::size_t i = first; i < end; ++i) {
         const Candidate& other = answer.candidates.list[others[i]];
-        print("  %-44s error %s   %8s ms  %7s x copy\n", other.label.c_str(),
+        print("  %-44s error %s   %8s ms  %6s x learnopengl\n", other.label.c_str(),
               fixed(other.error, 4).c_str(), fixed(other.ms, 3).c_str(),
-              fixed(other.ratio, 1).c_str());
+              fixed(other.ratio, 2).c_str());
     }
     if (others.size() > end) print("  and %zu more\n", others.size() - end);
 }
 
+/// "+4 %".
+std::string changeText(double factor)
+{
+    const double percent = std::round((factor - 1.0) * 100.0);
+    return (percent < 0 ? "-" : "+") + fixed(std::abs(percent), 0) + " %";
+}
+
+/// What only a measurement of this command knows: how sure it is, and where the error lies.
+void printDetails(const BenchSample& best, const QuickDetails& details)
+{
+    print("  %s MB of textures; %s %% sure that no other within is better by over 5 %%\n",
+          fixed(best.texture_bytes / 1e6, 1).c_str(), fixed(100.0 * details.sure, 0).c_str());
+    print("  too %s by %s in the mean; %s %% of the squared error is where it is too dark\n",
+          best.error.bias < 0 ? "dark" : "bright", fixed(std::abs(best.error.bias), 4).c_str(),
+          fixed(100.0 * details.dark, 0).c_str());
+    if (!details.neighbours.empty()) print("the error by part: what each would change\n");
+    for (const QuickDetails::Neighbour& each : details.neighbours)
+        print("  %-44s error %7s   cost %7s%s\n", each.setting.c_str(),
+              changeText(each.error).c_str(), changeText(each.cost).c_str(),
+              each.rough ? "   in a small picture" : "");
+}
+
 void printAnswer(const Answer& answer)
 {
-    const bool by_error = answer.limit.kind == ChoiceLimit::Kind::error;
+    const bool by_time = wantsLeastTime(answer.limits);
     const Candidate& best = answer.best();
     const Candidates& all = answer.candidates;
+    QuickDetails details;
+    if (answer.quick) details = answer.quick->detailsOf(answer.bestSample());
+    const auto around = [](double value, double margin, int digits) {
+        const std::string text = fixed(value, digits);
+        return margin > 0 ? text + " +- " + fixed(margin, digits) : text;
+    };
     print("%s\n", best.label.c_str());
-    print("  error %s (%s); adds %s ms a frame (%s), %s times a depth copy\n",
-          fixed(best.error, 4).c_str(), best.worst_view.c_str(), fixed(best.ms, 3).c_str(),
-          best.slowest_view.c_str(), fixed(best.ratio, 1).c_str());
+    print("  error %s (%s); adds %s ms a frame (%s), %s times learnopengl\n",
+          around(best.error, details.error_margin, 4).c_str(), best.worst_view.c_str(),
+          around(best.ms, details.ms_margin, 3).c_str(), best.slowest_view.c_str(),
+          fixed(best.ratio, 2).c_str());
     print("  without ambient occlusion the error is %s\n", fixed(all.error_without_ao, 4).c_str());
     print("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "", all.views.size(),
           all.views.size() > 1 ? "scenes" : "scene", extentName(all.views[0].extent).c_str(),
           all.device.c_str());
+    if (answer.quick) printDetails(answer.bestSample(), details);
     print("why: of %zu configs, %zu have %s; this one %s of those\n", all.list.size(),
-          answer.choice.within.size(), limitText(answer.limit).c_str(),
-          by_error ? "is the fastest" : "has the lowest error");
+          answer.choice.within.size(), limitText(answer.limits).c_str(),
+          by_time ? "is the fastest" : "has the lowest error");
     printOthers(answer,
-                by_error ? "also within the error, but slower:"
-                         : "also within the time, but with a larger error:",
+                by_time ? "also within, but slower:" : "also within, but with a larger error:",
                 answer.choice.within, 1);
-    printOthers(answer, by_error ? "error too large:" : "too slow:", answer.choice.beyond, 0);
+    printOthers(answer, "over a limit:", answer.choice.beyond, 0);
     for (const std::string& elided : all.elided) print("left out: %s\n", elided.c_str());
     for (const std::string& label : all.harmful)
         print("left out: %s: no better than no ambient occlusion\n", label.c_str());
-    print("see it: %s\n", renderCommand(answer.samples[best.sample]).c_str());
+    print("see it: %s\n", renderCommand(answer.bestSample()).c_str());
 }
 
 nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchSample>& samples)
 {
     const BenchSample& sample = samples[candidate.sample];
     return {{"config", sample.config}, {"overrides", sample.overrides}, {"samples", sample.samples},
-            {"cost_ms", candidate.ms}, {"ratio_copy", candidate.ratio}, {"rmse", candidate.error}};
+            {"cost_ms", candidate.ms}, {"ratio_learnopengl", candidate.ratio}, {"rmse", candidate.error}};
 }
 
 void printAnswerJson(const Answer& answer)
@@ -134,54 +241,134 @@ void printAnswerJson(const Answer& answer)
             json.push_back(toJson(answer.candidates.list[others[i]], answer.samples));
         return json;
     };
-    printAsJson({{"limit", limitText(answer.limit)},
-                 {"device", answer.candidates.device},
-                 {"best", toJson(answer.best(), answer.samples)},
-                 {"also_within", list(answer.choice.within, 1)},
-                 {"beyond", list(answer.choice.beyond, 0)},
-                 {"elided", answer.candidates.elided},
-                 {"harmful", answer.candidates.harmful}});
+    nlohmann::json json = {{"limit", limitText(answer.limits)},
+                           {"device", answer.candidates.device},
+                           {"best", toJson(answer.best(), answer.samples)},
+                           {"also_within", list(answer.choice.within, 1)},
+                           {"beyond", list(answer.choice.beyond, 0)},
+                           {"elided", answer.candidates.elided},
+                           {"harmful", answer.candidates.harmful}};
+    if (answer.quick) {
+        const QuickDetails details = answer.quick->detailsOf(answer.bestSample());
+        json["sure"] = details.sure;
+        json["rmse_margin"] = details.error_margin;
+        json["cost_ms_margin"] = details.ms_margin;
+        json["dark_share"] = details.dark;
+        json["parts"] = nlohmann::json::array();
+        for (const QuickDetails::Neighbour& each : details.neighbours)
+            json["parts"].push_back({{"set", each.setting},
+                                     {"error", each.error},
+                                     {"cost", each.cost},
+                                     {"rough", each.rough}});
+    }
+    printAsJson(json);
 }
 
-int chooseConfig(const ChooseOptions& options)
+/// What a governor steps along: all that no other beats, by rising cost. Errors: CV7007.
+Status writeFront(const Answer& answer, const std::string& file)
 {
-    const Result<Answer> answer = answerFor(options);
+    const std::vector<Candidate>& list = answer.candidates.list;
+    const BenchSample& any = answer.samples.front();
+    nlohmann::ordered_json front = {{"format", "crevice-front-1"},
+                                    {"scene", any.scene},
+                                    {"size", {any.extent.width, any.extent.height}},
+                                    {"device", answer.candidates.device},
+                                    {"levels", nlohmann::ordered_json::array()}};
+    for (const std::size_t i : frontOf(list)) {
+        const BenchSample& sample = answer.samples[list[i].sample];
+        front["levels"].push_back({{"config", sample.config},
+                                   {"set", sample.overrides},
+                                   {"ms", list[i].ms},
+                                   {"error", list[i].error}});
+    }
+    return writeFile(file, front.dump(2) + "\n");
+}
+
+/// All that can be wrong with the arguments, before anything slow begins.
+Status checkOptions(const ChooseOptions& options, bool has_scene)
+{
+    if (options.results.empty() && !has_scene)
+        return Diagnostic{Code::usage, "there is nothing to choose by",
+                          "write crevice choose --scene model.glb --budget 2ms to measure now, or "
+                          "name a folder of crevice bench"};
+    Diagnostics diagnostics;
+    if (!options.write.empty())
+        append(diagnostics, checkPatchFile(options.config, options.write).diagnostics());
+    if (!options.write_front.empty())
+        append(diagnostics, checkWritable(options.write_front).diagnostics());
+    return diagnostics;
+}
+
+int chooseConfig(const ChooseOptions& options, bool has_scene)
+{
+    const CheckoutSources sources(options.config.checkout, options.config.roots);
+    const Status right = checkOptions(options, has_scene);
+    if (!right) return report(right.diagnostics(), options.json);
+    const Result<Answer> answer = answerFor(options, sources);
     if (!answer) return report(answer.diagnostics(), options.json);
     report(answer->warnings, false);
     (options.json ? printAnswerJson : printAnswer)(*answer);
-    return kExitOk;
+    Diagnostics written;
+    if (!options.write.empty()) {
+        ConfigOptions chosen = options.config;
+        chosen.config = answer->bestSample().config;
+        chosen.overrides = answer->bestSample().overrides;
+        append(written, savePatch(chosen, sources, options.write).diagnostics());
+    }
+    if (!options.write_front.empty())
+        append(written, writeFront(*answer, options.write_front).diagnostics());
+    return report(written, false);
 }
 
 }  // namespace
 
 void addChooseCommand(CLI::App& app, int& exit_code)
 {
-    CLI::App* command =
-        app.add_subcommand("choose", "Name the best measured config for a time or an error");
+    CLI::App* command = app.add_subcommand("choose", "Name the best config for a time or an error");
     auto options = std::make_shared<ChooseOptions>();
-    command
-        ->add_option("RESULTS", options->results,
-                     "Folders of 'crevice bench', or the results files in them")
-        ->required();
+    command->add_option("RESULTS", options->results,
+                        "Folders of 'crevice bench', or the results files in them. Without any "
+                        "the scene is measured now");
     command->add_option("--budget", options->budget,
                         "Name the config with the lowest error that adds at most this time to a "
-                        "frame: 2ms, 500us, or 10x for ten times a copy of the depth texture");
+                        "frame: 2ms, 500us, or 0.5x for half the time of learnopengl");
     command
         ->add_option("--error", options->error,
-                     "Name the fastest config whose rmse is at most this, such as 0.06")
+                     "Name the fastest config whose rmse is at most this, such as 0.06; with "
+                     "--budget both must hold")
         ->check(aboveZero("0.06"));
-    command->add_option(
-        "--scene", options->scope.scene,
-        "Only results of this scene; otherwise each config counts with its worst scene");
-    command->add_option("--size", options->size, "Only results of this size, such as 1920x1080");
+    command->add_flag("--motion", options->motion,
+                      "Count flicker as error: the root of rmse^2 + flicker^2");
+    addSceneOptions(*command, options->scene);
+    addList(*command, "--config", options->configs, "NAME",
+            "A shipped config's name or a file; may be repeated. Default: all shipped ones");
+    addList(*command, "--set", options->config.overrides, "NAME=VALUE",
+            "Set a value in every config, as for crevice render; may be repeated");
+    addCheckoutOption(*command, options->config.checkout);
+    addBackendOption(*command, options->backend);
+    command->add_option("--time-budget", options->run.time_budget,
+                        "Measure for at most this time: 90s, 5m. Default: 50s");
+    addText(*command, "--write", options->write, "FILE.json", "Write the config that is named");
+    addText(*command, "--write-front", options->write_front, "FILE.json",
+            "Write all configs that no other beats, for a governor; measures all of them");
     command->add_option("--device", options->scope.device,
                         "Only results of this device: a part of its name, such as llvmpipe");
     command->add_flag("--json", options->json, "Print the answer as JSON");
     command->footer(
         "Examples:\n"
+        "  crevice choose --scene model.glb --budget 2ms --write mine.json\n"
+        "  crevice choose --scene model.glb --error 0.05 --motion\n"
         "  crevice choose bench --budget 2ms\n"
         "  crevice choose bench --error 0.06 --scene room");
-    command->callback([options, &exit_code] { exit_code = chooseConfig(*options); });
+    command->callback([options, command, &exit_code] {
+        const bool has_scene = command->count("--scene") > 0;
+        if (!options->results.empty()) {  // these then say which of the results
+            if (!has_scene) options->scene.scene.clear();
+            if (command->count("--size") == 0) options->scene.size.clear();
+        }
+        options->config.roots = options->scene.import.roots;
+        exit_code = chooseConfig(*options, has_scene);
+    });
 }
 
 }  // namespace crevice

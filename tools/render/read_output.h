@@ -28,7 +28,7 @@ bool remembers(const Plan& plan);
 Result<Image> drawSettled(Device& device, Renderer& renderer, const Frame& frame,
                           std::string_view name);
 
-/// Draws nothing but depth, where the copy cost of a bench and the radius on screen come from.
+/// Draws nothing but depth, where the radius on screen comes from.
 constexpr const char* kDepthModule = "command/depth.json";
 
 /// Window depths of a frame's first view, 1 in the background: no plan has to keep its own.

@@ -85,24 +85,26 @@ struct Gathered {
     bool harmful = false;
 };
 
-void addSample(const std::string& view, const BenchSample& sample, Gathered& gathered)
+void addSample(const std::string& view, const BenchSample& sample, bool motion, Gathered& gathered)
 {
+    const double flicker = motion ? flickerOf(sample.motion) : 0.0;
+    const double error = flicker > 0 ? std::hypot(sample.error.rmse, flicker) : sample.error.rmse;
     Candidate& candidate = gathered.candidate;
     if (gathered.views.empty() || sample.cost.median > candidate.ms) {
         candidate.ms = sample.cost.median;
         candidate.slowest_view = view;
     }
-    if (gathered.views.empty() || sample.error.rmse > candidate.error) {
-        candidate.error = sample.error.rmse;
+    if (gathered.views.empty() || error > candidate.error) {
+        candidate.error = error;
         candidate.worst_view = view;
     }
-    candidate.ratio = std::max(candidate.ratio, sample.ratio_copy);
+    candidate.ratio = std::max(candidate.ratio, sample.ratio_learnopengl);
     gathered.harmful = gathered.harmful || sample.error.rmse >= sample.error_without_ao;
     gathered.views.push_back(view);
 }
 
 /// All samples of the candidates' views, by label. Whether something was measured in all of them.
-bool gather(const std::vector<BenchSample>& samples, Candidates& candidates)
+bool gather(const std::vector<BenchSample>& samples, bool motion, Candidates& candidates)
 {
     std::vector<Gathered> all;
     std::map<std::string, std::size_t> places;
@@ -110,7 +112,7 @@ bool gather(const std::vector<BenchSample>& samples, Candidates& candidates)
         for (const std::size_t i : view.samples) {
             const auto [place, is_new] = places.emplace(sampleLabel(samples[i]), all.size());
             if (is_new) all.push_back({{place->first, i}, {}});
-            addSample(view.name, samples[i], all[place->second]);
+            addSample(view.name, samples[i], motion, all[place->second]);
             candidates.error_without_ao =
                 std::max(candidates.error_without_ao, samples[i].error_without_ao);
         }
@@ -148,6 +150,8 @@ void addOtherwiseMeasured(const std::vector<BenchSample>& samples,
         }
 }
 
+bool isOfError(const ChoiceLimit& limit) { return limit.kind == ChoiceLimit::Kind::error; }
+
 /// What a candidate spends of a limit.
 double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind)
 {
@@ -158,7 +162,7 @@ double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind)
 std::string shortText(const Candidate& candidate)
 {
     return candidate.label + ": " + significant(candidate.ms, 3) + " ms, " +
-           significant(candidate.ratio, 3) + " times the copy cost, error " +
+           significant(candidate.ratio, 3) + " times learnopengl, error " +
            fixed(candidate.error, 4);
 }
 
@@ -230,7 +234,7 @@ Result<Candidates> findCandidates(const std::vector<BenchSample>& samples, const
         return scopeError("there are no results" + scene + size, missingScope(all));
     }
     std::vector<std::string> unshared;
-    while (!gather(samples, candidates)) {  // a single view is shared by itself
+    while (!gather(samples, scope.motion, candidates)) {  // a single view is shared by itself
         std::vector<ResultView>& views = candidates.views;
         const auto least = std::min_element(views.begin(), views.end(),
                                             [](const ResultView& a, const ResultView& b) {
@@ -245,6 +249,15 @@ Result<Candidates> findCandidates(const std::vector<BenchSample>& samples, const
     addOtherwiseMeasured(samples, in_scope, candidates);
     candidates.elided.insert(candidates.elided.begin(), unshared.begin(), unshared.end());
     return candidates;
+}
+
+double flickerOf(const MotionFigures& motion)
+{
+    double squares = 0;
+    for (const char* path : kFlickerPaths)
+        if (const auto found = motion.paths.find(path); found != motion.paths.end())
+            squares += found->second.rms * found->second.rms;
+    return std::sqrt(squares / std::size(kFlickerPaths));
 }
 
 std::vector<std::size_t> frontOf(const std::vector<Candidate>& list)
@@ -288,33 +301,44 @@ Result<ChoiceLimit> parseBudget(const std::string& text)
     if (number > 0.0 && std::isfinite(number)) {
         if (unit == "ms") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number};
         if (unit == "us") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number / 1000.0};
-        if (unit == "x") return ChoiceLimit{ChoiceLimit::Kind::copy_ratio, number};
+        if (unit == "x") return ChoiceLimit{ChoiceLimit::Kind::ratio, number};
     }
     return scopeError("'" + text + "' is not a time above 0 with its unit",
-                      "write --budget 2ms, 500us, or 10x for ten times a depth copy");
+                      "write --budget 2ms, 500us, or 0.5x for half the time of learnopengl");
 }
 
-std::string limitText(ChoiceLimit limit)
+bool wantsLeastTime(const ChoiceLimits& limits)
 {
-    const std::string most = significant(limit.most, 6);
-    switch (limit.kind) {
-    case ChoiceLimit::Kind::time_ms: return "at most " + most + " ms";
-    case ChoiceLimit::Kind::copy_ratio: return "at most " + most + " times the copy cost";
-    case ChoiceLimit::Kind::error: break;
-    }
-    return "an error of at most " + most;
+    return anyOf(limits, [](const ChoiceLimit& limit) { return isOfError(limit); });
 }
 
-Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
+std::string limitText(const ChoiceLimits& limits)
+{
+    std::vector<std::string> texts;
+    for (const ChoiceLimit& limit : limits) {
+        const std::string most = "at most " + significant(limit.most, 6);
+        const bool of_time = limit.kind == ChoiceLimit::Kind::time_ms;
+        texts.push_back(isOfError(limit) ? "an error of " + most
+                                         : most + (of_time ? " ms" : " times learnopengl"));
+    }
+    return joined(texts, " and ");
+}
+
+Result<Choice> choose(const Candidates& candidates, const ChoiceLimits& limits)
 {
     const std::vector<Candidate>& list = candidates.list;
-    const bool of_error = limit.kind == ChoiceLimit::Kind::error;
-    const auto spends = [&](std::size_t i) { return spentOf(list[i], limit.kind); };
-    // The other figure: what is to be small once the limit is kept.
-    const auto merit = [&](std::size_t i) { return of_error ? list[i].ms : list[i].error; };
+    const bool least_time = wantsLeastTime(limits);
+    // Of the limit that is spent most: above 1 it is broken.
+    const auto spends = [&](std::size_t i) {
+        double most = 0;
+        for (const ChoiceLimit& limit : limits)
+            most = std::max(most, spentOf(list[i], limit.kind) / limit.most);
+        return most;
+    };
+    // What is to be small once the limits are kept.
+    const auto merit = [&](std::size_t i) { return least_time ? list[i].ms : list[i].error; };
     std::vector<std::size_t> within, beyond;
-    for (std::size_t i = 0; i < list.size(); ++i)
-        (spends(i) <= limit.most ? within : beyond).push_back(i);
+    for (std::size_t i = 0; i < list.size(); ++i) (spends(i) <= 1.0 ? within : beyond).push_back(i);
     std::sort(beyond.begin(), beyond.end(), [&](std::size_t a, std::size_t b) {
         return std::make_pair(spends(a), merit(a)) < std::make_pair(spends(b), merit(b));
     });
@@ -325,9 +349,8 @@ Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
     Diagnostic error{Code::out_of_range,
                      "none of " + std::to_string(list.size() + candidates.harmful.size()) +
                          " configs is better than no ambient occlusion and has " +
-                         limitText(limit)};
-    const char* nearest =
-        limit.kind == ChoiceLimit::Kind::error ? "the nearest is " : "the fastest is ";
+                         limitText(limits)};
+    const char* nearest = least_time ? "the nearest is " : "the fastest is ";
     if (!beyond.empty()) error.help = nearest + shortText(list[beyond[0]]);
     std::vector<std::string> scenes;
     for (const ResultView& view : candidates.views)

@@ -43,10 +43,18 @@ std::string viewName(const std::string& scene, const std::string& camera);
 
 /// Which of the results are asked about.
 struct ChoiceScope {
-    std::string device;  ///< Part of a device's name; may stay empty where there is one device.
-    std::string scene;   ///< Empty: all scenes.
-    Extent extent;       ///< 0x0: the one with the most samples.
+    std::string device;   ///< Part of a device's name; may stay empty where there is one device.
+    std::string scene;    ///< Empty: all scenes.
+    Extent extent;        ///< 0x0: the one with the most samples.
+    bool motion = false;  ///< Flicker counts as error.
 };
+
+/// Of tools/render/camera_path.h, those that what moves slowly and what moves fast.
+constexpr const char* kFlickerPaths[] = {"sub-pixel", "pan"};
+
+/// How much occlusion changes from frame to frame, rms over both paths; 0 where that was not
+/// measured. With it the error is the root of rmse^2 + flicker^2.
+double flickerOf(const MotionFigures& motion);
 
 /// A config with its sample count and overrides, over all scenes of a scope. In each of them it is
 /// less wrong than no ambient occlusion at all.
@@ -54,8 +62,8 @@ struct Candidate {
     std::string label;       ///< As sampleLabel has it.
     std::size_t sample = 0;  ///< One of its samples, for what is the same in all scenes.
     double ms = 0;           ///< BenchSample::cost: what it adds to a host that has a G-buffer.
-    double ratio = 0;        ///< Of that over the copy cost.
-    double error = 0;        ///< rmse.
+    double ratio = 0;        ///< Of that over the cost of learnopengl.
+    double error = 0;        ///< rmse, with flicker where the scope asks for it.
     std::string slowest_view = {};
     std::string worst_view = {};
 };
@@ -86,13 +94,18 @@ std::size_t balancedOf(const std::vector<Candidate>& list, const std::vector<std
 
 /// What is asked of a choice.
 struct ChoiceLimit {
-    enum class Kind { time_ms, copy_ratio, error };
+    enum class Kind { time_ms, ratio, error };
     Kind kind = Kind::time_ms;
     double most = 0;
 };
 
-/// Reads "2ms", "500us", plain milliseconds, or "3x" for a multiple of the copy cost. Errors:
-/// CV8001.
+/// All of them hold.
+using ChoiceLimits = std::vector<ChoiceLimit>;
+
+/// Whether the fastest within the limits is wanted, as with one of error; else the most accurate.
+bool wantsLeastTime(const ChoiceLimits& limits);
+
+/// Reads "2ms", "500us", or "0.5x" for a multiple of the cost of learnopengl. Errors: CV8001.
 Result<ChoiceLimit> parseBudget(const std::string& text);
 
 /// Into Candidates::list.
@@ -102,10 +115,10 @@ struct Choice {
 };
 
 /// Errors: CV4001 when nothing is within the limit; the help names what comes nearest, if anything.
-Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit);
+Result<Choice> choose(const Candidates& candidates, const ChoiceLimits& limits);
 
-/// "at most 2 ms".
-std::string limitText(ChoiceLimit limit);
+/// "at most 2 ms and an error of at most 0.05".
+std::string limitText(const ChoiceLimits& limits);
 
 /// Largest change of an error that counts as none, where device, driver and version are the same:
 /// two runs agree to the last digit on one processor, and another kind rounds otherwise.

@@ -57,7 +57,6 @@ public:
             ++result.without_ratios;
             return;
         }
-        compareRatio("ratio_copy", before.ratio_copy, now.ratio_copy);
         compareRatio("ratio_learnopengl", before.ratio_learnopengl, now.ratio_learnopengl);
     }
 

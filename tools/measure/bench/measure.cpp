@@ -19,12 +19,8 @@ namespace fs = std::filesystem;
 namespace crevice {
 namespace {
 
-const char* const kCopyModule = "command/depth_copy.json";
-
 /// Turns end at so many times the least, settled or not.
 constexpr int kMostPatience = 4;
-
-const char* const kYardstick = "learnopengl";
 
 Image withOpenBackground(Image ground_truth)
 {
@@ -61,49 +57,13 @@ struct BenchMeter::Setting {
     {
     }
 
-    /// Draws the depth, and sets up what every sample needs from it: the copy pass and the radius
-    /// on screen.
-    Status makeCopy(Device& device, const SourceSet& sources, double radius)
+    /// The radius on screen, at the median depth.
+    Status findRadius(Device& device, double radius)
     {
-        const Result<Description> drawn = loadDescription({kDepthModule, {}, {}, {}}, sources);
-        if (!drawn) return drawn.diagnostics();
-        auto depth_renderer = makeRenderer(device, *drawn, {"depth"});
-        if (!depth_renderer) return depth_renderer.diagnostics();
-        depth = std::move(*depth_renderer);
-        if (const Status done = depth->render(frame); !done) return done;
-        const Result<Image> image = readOutput(device, *depth, "depth");
-        if (!image) return image.diagnostics();
-        distance = medianDistance(*image, frame.camera);
+        const Result<Image> depth = drawDepth(device, frame, view.extent);
+        if (!depth) return depth.diagnostics();
+        distance = medianDistance(*depth, frame.camera);
         if (distance) radius_px = pixelsOf(radius, *distance, frame.camera, view.extent);
-
-        const Result<Description> copied = loadDescription({kCopyModule, {}, {}, {}}, sources);
-        if (!copied) return copied.diagnostics();
-        copy_frame.textures = {{"depth", depth->output("depth")}};
-        auto made = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(copy_frame));
-        if (!made) return made.diagnostics();
-        copy = std::move(*made);
-        copy_turns.emplace(*copy, copy_frame);
-        return {};
-    }
-
-    void makeYardstick(Device& device, const SourceSet& sources, double radius)
-    {
-        const Result<Description> described = loadDescription({kYardstick, {}, {}, {}}, sources);
-        if (!described) return;
-        auto renderer = makeRenderer(device, *described, {"ao"});
-        if (!renderer || !(*renderer)->setParam("radius", static_cast<float>(radius))) return;
-        yardstick = std::move(*renderer);
-        yardstick_turns.emplace(*yardstick, frame);
-    }
-
-    /// Warms up, then so many turns, for the first sample to have something to go by.
-    Status beginTurns(int count)
-    {
-        if (const Status warm = takeTurns(); !warm) return warm;
-        copy_turns->restart();
-        if (yardstick_turns) yardstick_turns->restart();
-        for (int turn = 0; turn < count; ++turn)
-            if (const Status drawn = takeTurns(); !drawn) return drawn;
         return {};
     }
 
@@ -118,20 +78,6 @@ struct BenchMeter::Setting {
                                 traitsOf(hosted ? *hosted : frame));
     }
 
-    /// Times the copy pass once, and the yardstick once.
-    Status takeTurns()
-    {
-        if (const Status drawn = copy_turns->takeTurn(); !drawn) return drawn;
-        return yardstick_turns ? yardstick_turns->takeTurn() : Status();
-    }
-
-    /// The costs that a ratio is taken against turn by turn: the yardstick's, else the copy's.
-    const std::vector<double>& unitCosts() const
-    {
-        return (yardstick_turns ? yardstick_turns : copy_turns)->costs();
-    }
-    double unitOverCopy() const { return quickest(unitCosts()) / quickest(copy_turns->costs()); }
-
     const BenchView& view;
     std::string reference;
     UploadedScene scene;
@@ -141,12 +87,7 @@ struct BenchMeter::Setting {
     std::optional<MotionView> motion;                  ///< None until it is asked for.
     Result<MotionTruth> motion_truth = MotionTruth();  ///< Of `motion`, or why there is none.
     double radius_px = 0;
-    std::unique_ptr<Renderer> depth;
-    std::unique_ptr<Renderer> copy;
-    Frame copy_frame;
-    std::unique_ptr<Renderer> yardstick;  ///< Null where the device cannot draw it.
-    std::optional<TurnTaker> copy_turns;
-    std::optional<TurnTaker> yardstick_turns;  ///< None without a yardstick.
+    Yardstick yardstick;
 };
 
 BenchMeter::BenchMeter(Device& device, const BenchPlan& plan, const SourceSet& sources,
@@ -178,11 +119,9 @@ Status BenchMeter::enter(const BenchTask& task)
     setting->ground_truth =
         cachedReference(*view.scene, view.matrices(), view.extent, trace, options_.cache_folder);
 
-    if (const Status made = setting->makeCopy(device_, sources_, task.sample.radius); !made)
-        return made;
-
-    setting->makeYardstick(device_, sources_, task.sample.radius);
-    if (const Status timed = setting->beginTurns(options_.repeats); !timed) return timed;
+    if (const Status found = setting->findRadius(device_, task.sample.radius); !found) return found;
+    setting->yardstick =
+        Yardstick(device_, sources_, view.extent, setting->frame, task.sample.radius);
     setting_ = std::move(setting);
     return {};
 }
@@ -231,6 +170,7 @@ Status BenchMeter::measureTimes(const BenchTask& task, Renderer& renderer, const
     const auto own = ownGeometry(renderer.plan(), task.description, traitsOf(frame), device_.caps(),
                                  {sample.extent});
     if (!own) return own.diagnostics();
+    Yardstick& unit = setting_->yardstick;
     TurnTaker taker(renderer, frame, *own);
     if (const Status warm = taker.takeTurn(); !warm) return warm;
     taker.restart();
@@ -238,16 +178,15 @@ Status BenchMeter::measureTimes(const BenchTask& task, Renderer& renderer, const
     for (int turn = 1; turn <= kMostPatience * options_.repeats; ++turn) {
         if (options_.interrupted()) return {};
         if (const Status drawn = taker.takeTurn(); !drawn) return drawn;
-        if (const Status drawn = setting_->takeTurns(); !drawn) return drawn;
-        ratio = ratioFigures(taker.costs(), setting_->unitCosts());
-        if (turn >= options_.repeats && isSettled(ratio, taker.costs().size())) break;
+        if (const Status drawn = unit.takeTurn(); !drawn) return drawn;
+        ratio = ratioFigures(taker.costs(), unit.costs());
+        const TimeFigures& settling = unit ? ratio : timeFigures(taker.costs());
+        if (turn >= options_.repeats &&
+            medianMargin(settling, taker.costs().size()) <= kSettledMargin)
+            break;
     }
-    if (setting_->yardstick) {
-        sample.ratio_learnopengl = ratio.median;
-        sample.ratio_with_geometry =
-            ratioFigures(taker.costsWithGeometry(), setting_->unitCosts()).median;
-    }
-    sample.ratio_copy = ratio.median * setting_->unitOverCopy();
+    sample.ratio_learnopengl = ratio.median;
+    sample.ratio_with_geometry = ratioFigures(taker.costsWithGeometry(), unit.costs()).median;
     sample.cost = timeFigures(taker.costs());
     sample.cost_with_geometry = timeFigures(taker.costsWithGeometry());
     describeFrames(taker.frames(), renderer.plan(), sample);

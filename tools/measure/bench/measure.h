@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Measuring one sample of a bench on a device: its error, its time, its pictures.
 //
-// What is timed are the passes that the sample's output needs, by default `ao`. The config, a plain
-// copy of the depth texture (effects/command/depth_copy.json) and `learnopengl` with the same
-// radius take turns (see tools/measure/bench/times.cpp) until both ratios are known to a few per
-// cent. The cost of a config is the sum over its passes other than draw passes: for `ao`, what it
-// adds to a host that has a G-buffer. Beside it stands the cost with the geometry that the
-// occlusion alone needs.
+// What is timed are the passes that the sample's output needs, by default `ao`. The config and
+// `learnopengl` with the same radius take turns (see tools/measure/bench/times.cpp) until the ratio
+// is known to a few per cent. The cost of a config is the sum over its passes other than draw
+// passes: for `ao`, what it adds to a host that has a G-buffer. Beside it stands the cost with the
+// geometry that the occlusion alone needs.
 #pragma once
 
 #include "tools/measure/bench/run.h"
@@ -39,11 +38,12 @@ TimeFigures timeFigures(std::vector<double> values);
 /// not above 0 are left out. Zeros when none is left.
 TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<double>& units);
 
-/// The first decile, which no slow moment reaches. Requires at least one value.
-double quickest(std::vector<double> costs);
+/// Half the width of the interval that holds the median of `count` values at 95 % confidence, a
+/// share of it.
+double medianMargin(const TimeFigures& figures, std::size_t count);
 
-/// True when the median of `count` values is known to within 3 %, at 95 % confidence.
-bool isSettled(const TimeFigures& figures, std::size_t count);
+/// A cost is settled when its margin is at most this.
+constexpr double kSettledMargin = 0.03;
 
 /// A renderer that takes turns with others, and what its frames took. Renderer and frame must
 /// outlive it.
@@ -79,6 +79,31 @@ private:
     std::vector<FrameTimes> frames_;
     std::vector<double> costs_;
     std::vector<double> costs_with_geometry_;
+};
+
+/// `learnopengl` with one's own radius: the unit of costs, which takes turns with what is measured.
+/// False, and without any costs, where the device cannot draw it.
+class Yardstick {
+public:
+    Yardstick() = default;
+
+    /// The frame must outlive it.
+    Yardstick(Device& device, const SourceSet& sources, Extent extent, const Frame& frame,
+              double radius);
+
+    explicit operator bool() const { return turns_.has_value(); }
+
+    /// The first one warms up, and is forgotten. Errors: those of timeFrame.
+    Status takeTurn();
+
+    /// The median of each turn.
+    const std::vector<double>& costs() const { return turns_ ? turns_->costs() : none_; }
+
+private:
+    std::unique_ptr<Renderer> renderer_;
+    std::optional<TurnTaker> turns_;
+    std::vector<double> none_;
+    bool warm_ = false;
 };
 
 struct MeasureOptions {

@@ -17,19 +17,11 @@
 namespace crevice {
 namespace {
 
-/// Whose figures say most about what to take; docs/which_config.md. `reference` takes too long
-/// to be first.
-constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "high"};
-
 /// How software renderers are timed. Part of each key, so that samples by another clock are
 /// measured again and never stand beside these.
 constexpr const char* kClock = "processor time";
 
-bool isPreset(const BenchTask& task)
-{
-    return std::find(std::begin(kPresets), std::end(kPresets), task.sample.config) !=
-           std::end(kPresets);
-}
+bool isPreset(const BenchTask& task) { return isPresetConfig(task.sample.config); }
 
 /// Over all that decides a sample's figures on a device.
 std::string keyOf(const BenchTask& task, double radius, const std::vector<std::string>& overrides,
@@ -256,6 +248,11 @@ private:
 };
 
 }  // namespace
+
+bool isPresetConfig(std::string_view config)
+{
+    return contains({"mobile_low", "mobile", "balanced", "high"}, config);
+}
 
 Camera BenchView::matrices() const
 {

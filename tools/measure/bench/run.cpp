@@ -15,8 +15,8 @@ namespace {
 std::string figuresText(const BenchSample& sample)
 {
     const std::string text = "rmse " + fixed(sample.error.rmse, 4) + ", " +
-                             fixed(sample.total.median, 2) + " ms, " + fixed(sample.ratio_copy, 2) +
-                             " x copy";
+                             fixed(sample.total.median, 2) + " ms, " +
+                             fixed(sample.ratio_learnopengl, 2) + " x learnopengl";
     return sample.motion_failure.empty() ? text : text + ", no motion: " + sample.motion_failure;
 }
 

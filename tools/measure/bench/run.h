@@ -37,6 +37,10 @@ struct BenchOptions {
     std::string version = {};  ///< Of crevice; part of each key.
 };
 
+/// Whether its figures say most about what to take (docs/which_config.md), so that it is measured
+/// first. `reference`, which takes too long, is none.
+bool isPresetConfig(std::string_view config);
+
 /// What several samples look at.
 struct BenchView {
     std::shared_ptr<const Scene> scene;

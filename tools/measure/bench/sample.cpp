@@ -25,7 +25,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, overrides,
                                    output, scene, camera, extent, radius, rays, radius_px, samples,
                                    triangles, device, software, version, error, error_without_ao,
                                    motion, motion_failure, clock, repeats, total, cost,
-                                   cost_with_geometry, passes, ratio_copy, ratio_learnopengl,
+                                   cost_with_geometry, passes, ratio_learnopengl,
                                    ratio_with_geometry, texture_bytes, bytes_read, bytes_written,
                                    ao_picture, ground_truth_picture, difference_picture)
 

@@ -78,7 +78,6 @@ struct BenchSample {
     /// lighting, depth. Zeros in earlier versions' lines.
     TimeFigures cost_with_geometry;
     std::vector<PassTime> passes;
-    double ratio_copy = 0;           ///< Cost over that of a copy of the depth texture, same run.
     double ratio_learnopengl = 0;    ///< Cost over that of learnopengl, same run.
     double ratio_with_geometry = 0;  ///< cost_with_geometry over the cost of learnopengl, same run.
 

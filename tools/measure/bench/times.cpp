@@ -4,11 +4,8 @@
 // What is compared takes turns, so that a slow moment of the machine falls on all of it. A turn
 // lasts for a while and counts with the median of its frames, since a single frame of a cheap pass
 // says little; a ratio is the median over the ratios turn by turn, in which slow moments cancel.
-//
-// They do not cancel against a copy of a texture: that waits for memory where the effect computes,
-// and a neighbour on the machine was seen to slow one by 60 % and the other by 3 %, for many
-// seconds. So the cost of the copy is compared with that of `learnopengl` at their quickest, over
-// all turns of a view.
+// They do not against a copy of a texture, which was the unit once: that waits for memory where an
+// effect computes, and a neighbour on the machine slowed one by 60 % and the other by 3 %.
 //
 // Source: McGill et al. 1978 - how well a median is known.
 #include "tools/measure/bench/measure.h"
@@ -29,7 +26,6 @@ constexpr std::size_t kTurnFrames = 64;
 /// The half width of a median's interval of 95 % confidence is this times the interquartile range
 /// over the root of the count (McGill et al. 1978, its factor 1.57).
 constexpr double kNotch = 1.57;
-constexpr double kSettled = 0.03;
 
 /// Of values in rising order, interpolated between neighbours.
 double quantile(const std::vector<double>& sorted, double share)
@@ -80,12 +76,6 @@ TimeFigures timeFigures(std::vector<double> values)
     return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)};
 }
 
-double quickest(std::vector<double> costs)
-{
-    std::sort(costs.begin(), costs.end());
-    return quantile(costs, 0.1);
-}
-
 TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<double>& units)
 {
     std::vector<double> ratios;
@@ -95,10 +85,11 @@ TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<dou
     return ratios.empty() ? TimeFigures() : timeFigures(std::move(ratios));
 }
 
-bool isSettled(const TimeFigures& figures, std::size_t count)
+double medianMargin(const TimeFigures& figures, std::size_t count)
 {
-    const double spread = kNotch * (figures.q3 - figures.q1);
-    return spread <= kSettled * figures.median * std::sqrt(static_cast<double>(count));
+    if (figures.median <= 0.0) return 0.0;
+    return kNotch * (figures.q3 - figures.q1) / figures.median /
+           std::sqrt(static_cast<double>(count));
 }
 
 Status TurnTaker::takeTurn()
@@ -123,6 +114,28 @@ void TurnTaker::restart()
     frames_.clear();
     costs_.clear();
     costs_with_geometry_.clear();
+}
+
+Yardstick::Yardstick(Device& device, const SourceSet& sources, Extent extent, const Frame& frame,
+                     double radius)
+{
+    Result<Description> described = loadDescription({"learnopengl", {}, {}, {}}, sources);
+    if (!described) return;
+    auto made = Renderer::create(device, std::move(*described), {extent, {kOcclusionOutput}, {}},
+                                 traitsOf(frame));
+    if (!made || !(*made)->setParam("radius", static_cast<float>(radius))) return;
+    renderer_ = std::move(*made);
+    turns_.emplace(*renderer_, frame);
+}
+
+Status Yardstick::takeTurn()
+{
+    if (!turns_) return {};
+    if (!warm_)
+        if (const Status drawn = turns_->takeTurn(); !drawn) return drawn;
+    if (!warm_) turns_->restart();
+    warm_ = true;
+    return turns_->takeTurn();
 }
 
 }  // namespace crevice

@@ -30,12 +30,13 @@ public:
     {
         TraceOptions options;
         options.radius = view_.radius;
-        options.rays = kMotionRays;
+        options.rays = view_.rays;
         constexpr double kAll = std::size(kCameraPaths) * kMeasuredFrames;
         if (progress_) options.progress = [this](double done) { progress_((done_ + done) / kAll); };
         const Extent extent = view_.end.extent;
-        Result<Image> truth =
-            cachedReference(view_.scene, camera, extent, options, view_.cache_folder);
+        Result<Image> truth = view_.rays > 0 ? cachedReference(view_.scene, camera, extent, options,
+                                                               view_.cache_folder)
+                                             : Image(extent, 1, 1.0f);
         if (!truth) return truth.diagnostics();
         Result<SurfaceMap> surfaces = traceSurfaces(view_.scene, camera, extent);
         if (!surfaces) return surfaces.diagnostics();
@@ -178,6 +179,7 @@ Result<MotionTruth> traceMotion(const MotionView& view, const std::function<bool
     truth.rest = end->truth;
     for (const CameraPath& path : kCameraPaths) {
         if (interrupted()) break;
+        if (!view.paths.empty() && !contains(view.paths, path.name)) continue;
         if (path.aside_px != 0.0) {
             const Camera aside = view.camera(path, 0);
             const Result<SurfaceMap> before = traceSurfaces(view.scene, aside, view.end.extent);
@@ -199,6 +201,7 @@ Result<MotionFigures> measureMotion(const MotionStage& stage, const MotionView& 
     MotionMeter meter(stage, view, truth);
     for (const CameraPath& path : kCameraPaths) {
         if (interrupted()) break;
+        if (!view.paths.empty() && !contains(view.paths, path.name)) continue;
         const Status measured =
             path.aside_px != 0.0 ? meter.measureUncovered(path) : meter.measurePath(path);
         if (!measured) return measured.diagnostics();

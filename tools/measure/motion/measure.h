@@ -30,6 +30,8 @@ struct MotionView {
     PathView end;  ///< Of every path.
     double radius = 0;
     std::string cache_folder;  ///< For ground truths; empty for none.
+    int rays = kMotionRays;    ///< 0: the truth is taken not to change, which it hardly does.
+    std::vector<std::string> paths = {};  ///< Names; empty: all.
 
     /// Of a frame, [0, kMotionFrames).
     Camera camera(const CameraPath& path, int frame) const;
@@ -57,7 +59,8 @@ struct MotionStage {
     Frame frame;
 };
 
-/// Each path begins with a cut. A plan without histories draws the measured frames alone.
+/// Of the paths that the truth has. Each begins with a cut. A plan without histories draws the
+/// measured frames alone.
 ///
 /// Stops early, with a part of the figures, when `interrupted`. Errors: those of Renderer::render
 /// and of readOutput, CV4003 for an occlusion that is not a number somewhere.

@@ -78,7 +78,7 @@ function showAdvice(parent, advice) {
   add(box, "p", {class: "soft"}, `Measured at ${advice.size} in ${advice.views.join(", ")}, where each config counts with ` +
     `its worst, on ${advice.device} (${renderer}timed by ${CLOCKS[advice.clock]}).`);
   add(parent, "p", {class: "soft"}, "What each further cost buys: the configs that no other beats in both error and cost.");
-  table(parent, [["config", "label"], ["error"], ["adds", "num"], ["× copy", "num"], [""]], [
+  table(parent, [["config", "label"], ["error"], ["adds", "num"], ["× learnopengl", "num"], [""]], [
     {cells: ["no ambient occlusion", error(without), "0", "0", ""]},
     ...advice.steps.map(s => ({
       class: "step" + (s === take ? " on" : ""),
@@ -105,7 +105,7 @@ const COLUMNS = [
   ["pattern", s => error(s.error.pattern)],
   ["fitted (power)", s => `${error(s.error.rmse_fit)} (${s.error.power_fit.toFixed(2)})`],
   ["cost, ms", s => three(s.cost.median)], ["middle half", s => `${three(s.cost.q1)}–${three(s.cost.q3)}`],
-  ["× copy", s => times(s.ratio_copy)], ["× learnopengl", s => times(s.ratio_learnopengl)],
+  ["× learnopengl", s => times(s.ratio_learnopengl)],
   ["with its geometry, ms", s => three(s.cost_with_geometry.median)], ["frame, ms", s => three(s.total.median)],
   ["MB", s => (s.texture_bytes / 1e6).toFixed(1)],
   ["passes, ms", s => s.passes.map(pass => `${pass.name} ${three(pass.ms.median)}`).join(" · ")]

@@ -148,7 +148,7 @@ constexpr std::string_view kColumns =
     "settled_after=motion/settled_after clock repeats cost_ms=cost/median "
     "cost_ms_q1=cost/q1 cost_ms_q3=cost/q3 "
     "cost_with_geometry_ms=cost_with_geometry/median total_ms=total/median "
-    "passes_ms=passes ratio_copy ratio_learnopengl ratio_with_geometry texture_bytes "
+    "passes_ms=passes ratio_learnopengl ratio_with_geometry texture_bytes "
     "bytes_read bytes_written failure device version key";
 
 /// Lists become words: "samples=16 bias=0.1", "geometry=1.2 ao=3.4".

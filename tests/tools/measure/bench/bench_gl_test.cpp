@@ -104,7 +104,6 @@ TEST_CASE("A bench measures error, times and bytes, and goes on past a config th
     CHECK(sample.clock == (sample.software ? "cpu" : "query"));
     CHECK(sample.cost_with_geometry.median == sample.cost.median);  // deferred, one layer
     CHECK(sample.ratio_with_geometry == sample.ratio_learnopengl);
-    CHECK(sample.ratio_copy > 0.0);
     CHECK(sample.ratio_learnopengl > 0.0);
     CHECK(sample.radius_px > 1.0);
     CHECK(sample.bytes_read > 0.0);

@@ -274,12 +274,12 @@ TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides 
 TEST_CASE("A median is settled by more turns or by steadier ones")
 {
     const TimeFigures steady{1.0, 0.99, 1.01}, restless{1.0, 0.8, 1.2};
-    CHECK(isSettled(steady, 4));
-    CHECK(!isSettled(restless, 7));
-    CHECK(isSettled(restless, 1000));
+    CHECK(medianMargin(steady, 4) <= kSettledMargin);
+    CHECK(medianMargin(restless, 7) > kSettledMargin);
+    CHECK(medianMargin(restless, 1000) <= kSettledMargin);
     // The interval that its count leaves is 3 % of the median: 1.57 * 0.1 / 0.03 is the root
     // of 27.4.
     const TimeFigures between{1.0, 0.95, 1.05};
-    CHECK(!isSettled(between, 27));
-    CHECK(isSettled(between, 28));
+    CHECK(medianMargin(between, 27) > kSettledMargin);
+    CHECK(medianMargin(between, 28) <= kSettledMargin);
 }

@@ -25,7 +25,7 @@ std::string chosen(const std::vector<BenchSample>& samples, Kind kind, double mo
 {
     const auto candidates = findCandidates(samples, scope);
     REQUIRE(candidates.ok());
-    const auto choice = choose(*candidates, {kind, most});
+    const auto choice = choose(*candidates, {{kind, most}});
     REQUIRE(choice.ok());
     return candidates->list[choice->within.front()].label;
 }
@@ -49,7 +49,7 @@ TEST_CASE("the worst scene decides what a config costs and how wrong it is, or t
     } rows[] = {{Kind::time_ms, 4, "", "middle samples=8"},
                 {Kind::time_ms, 5, "", "good samples=16"},
                 {Kind::time_ms, 1.2, "", "fast samples=4"},
-                {Kind::copy_ratio, 20, "", "middle samples=8"},
+                {Kind::ratio, 20, "", "middle samples=8"},
                 {Kind::error, 0.09, "", "middle samples=8"},
                 {Kind::error, 0.06, "", "good samples=16"},
                 {Kind::time_ms, 4, "room", "middle samples=8"},
@@ -64,11 +64,11 @@ TEST_CASE("the worst scene decides what a config costs and how wrong it is, or t
 TEST_CASE("everything within and beyond a limit is reported, the nearest first")
 {
     const auto candidates = findCandidates(twoScenes(), {});
-    const auto choice = choose(*candidates, {Kind::error, 0.09});
+    const auto choice = choose(*candidates, {{Kind::error, 0.09}});
     REQUIRE(choice.ok());
     CHECK(choice->within == std::vector<std::size_t>{1, 2});
     CHECK(choice->beyond == std::vector<std::size_t>{0});
-    const auto none = choose(*candidates, {Kind::time_ms, 0.5});
+    const auto none = choose(*candidates, {{Kind::time_ms, 0.5}});
     REQUIRE(!none.ok());
     CHECK(none.diagnostics().front().code == Code::out_of_range);
     CHECK(none.diagnostics().front().help.find("fast samples=4") != std::string::npos);
@@ -106,7 +106,7 @@ TEST_CASE("what is no better than no ambient occlusion in one scene is no candid
     CHECK(candidates->harmful == std::vector<std::string>{"fast samples=4"});
     CHECK(candidates->elided.empty());
     CHECK(candidates->error_without_ao == 0.4);
-    CHECK(!choose(*candidates, {Kind::time_ms, 1.5}).ok());
+    CHECK(!choose(*candidates, {{Kind::time_ms, 1.5}}).ok());
 }
 
 TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be asked for")
@@ -177,7 +177,7 @@ TEST_CASE("a budget has a unit")
     CHECK(parseBudget("2ms")->most == 2);
     CHECK(parseBudget("2ms")->kind == Kind::time_ms);
     CHECK(parseBudget("500us")->most == 0.5);
-    CHECK(parseBudget("3.5x")->kind == Kind::copy_ratio);
+    CHECK(parseBudget("3.5x")->kind == Kind::ratio);
     for (const char* text : {"", "2", "ms", "0ms", "-1ms", "2 s", "2msx", "infms", "nan"})
         CHECK(!parseBudget(text).ok());
 }

@@ -35,8 +35,7 @@ inline BenchSample benchSample(const std::string& config, int samples, double ms
     sample.total = {2 * ms, ms * 1.8, ms * 2.2};
     sample.cost = {ms, ms * 0.9, ms * 1.1};
     sample.passes = {{"geometry", {ms, ms, ms}}, {"ao", {ms, ms, ms}}};
-    sample.ratio_copy = ms * 10;
-    sample.ratio_learnopengl = ms / 4;
+    sample.ratio_learnopengl = ms * 10;
     return sample;
 }
 

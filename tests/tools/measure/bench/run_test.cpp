@@ -103,9 +103,10 @@ TEST_CASE("A second run measures nothing again but tries failures once more")
     CHECK(broken.failures == std::vector<std::string>{"c, , 0x0: CV6005: it broke",
                                                       "e, , 0x0: there is no such scene"});
     CHECK(first.order == "abcdf");
-    CHECK(first.lines[0] == "[1/6] a, , 0x0: rmse 0.0000, 0.00 ms, 0.00 x copy; about 50 s left");
+    CHECK(first.lines[0] ==
+          "[1/6] a, , 0x0: rmse 0.0000, 0.00 ms, 0.00 x learnopengl; about 50 s left");
     CHECK(first.lines[2].find("[3/6] c, , 0x0: failed: CV6005: it broke; about") == 0);
-    CHECK(first.lines[5] == "[6/6] f, , 0x0: rmse 0.0000, 0.00 ms, 0.00 x copy");
+    CHECK(first.lines[5] == "[6/6] f, , 0x0: rmse 0.0000, 0.00 ms, 0.00 x learnopengl");
 
     FakeRun mended;
     const MeasureSummary second = mended.run(folder);

@@ -27,7 +27,7 @@ BenchSample sampleBefore()
 
 const BenchSample kBefore = sampleBefore();
 
-/// "worse rmse, odd bias, cheaper ratio_copy, no ratios": what a comparison says.
+/// "worse rmse, odd bias, cheaper ratio_learnopengl, no ratios": what a comparison says.
 std::string told(const BenchComparison& comparison)
 {
     const char* const words[] = {"cheaper", "odd", "worse", "fails", "missing"};
@@ -73,7 +73,7 @@ const Row kRows[] = {
     {[](BenchSample& now) {
          now.error.rmse += 0.9e-4;
          now.device = "device B";
-         now.ratio_copy *= 5;
+         now.ratio_learnopengl *= 5;
      },
      "no ratios"},
     {[](BenchSample& now) {
@@ -84,18 +84,14 @@ const Row kRows[] = {
     {[](BenchSample& now) {
          now.error.rmse += 0.1;
          now.clock = "cpu";
-         now.ratio_copy *= 5;
+         now.ratio_learnopengl *= 5;
      },
      "worse rmse, no ratios"},
-    {[](BenchSample& now) { now.ratio_copy *= 1.14; }, ""},
-    {[](BenchSample& now) {
-         now.ratio_copy *= 1.16;
-         now.ratio_learnopengl /= 1.16;
-     },
-     "worse ratio_copy, cheaper ratio_learnopengl"},
-    {[](BenchSample& now) { now.ratio_copy *= 1.16; }, "", true},
-    {[](BenchSample& now) { now.ratio_copy /= 2; }, "cheaper ratio_copy"},
-    {[](BenchSample& now) { now.ratio_copy = 0; }, ""},
+    {[](BenchSample& now) { now.ratio_learnopengl *= 1.14; }, ""},
+    {[](BenchSample& now) { now.ratio_learnopengl *= 1.16; }, "worse ratio_learnopengl"},
+    {[](BenchSample& now) { now.ratio_learnopengl *= 1.16; }, "", true},
+    {[](BenchSample& now) { now.ratio_learnopengl /= 2; }, "cheaper ratio_learnopengl"},
+    {[](BenchSample& now) { now.ratio_learnopengl = 0; }, ""},
     {[](BenchSample& now) { now.motion = {}; }, ""},
     {[](BenchSample& now) {
          now.motion.paths["pan"].rms = 0.021;

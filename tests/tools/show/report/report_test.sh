@@ -31,8 +31,10 @@ expect 0 'crevice render fine --set samples=16 --scene room' choose results.json
 expect 0 '"config": "fine"' choose results.jsonl --budget 3000us --json
 expect_json
 expect 1 'fastest is quick samples=4' choose results.jsonl --budget 0.1ms
-expect 2 'CV8001.*one of --budget and --error' choose results.jsonl
-expect 2 'CV8001.*one of --budget and --error' choose results.jsonl --budget 2ms --error 0.1
+expect 2 'CV8001.*--budget, --error or both' choose results.jsonl
+expect 0 '^quick samples=16$' choose results.jsonl --budget 3ms --error 0.09
+expect 1 'has at most 2 ms and an error of at most 0.01' choose results.jsonl --budget 2ms --error 0.01
+expect 2 'crevice choose --scene model.glb' choose --budget 2ms
 expect 2 '500us' choose results.jsonl --budget 2
 sed 's/"room"/"hall"/' results.jsonl | cat results.jsonl - >halls.jsonl
 expect 1 'name one, as in --scene (hall|room): ' choose halls.jsonl --budget 0.1ms
@@ -46,10 +48,10 @@ expect 0 '^5 bench samples compared' report results.jsonl --against results.json
 sed 's/"rmse":0.05,/"rmse":0.06,/' results.jsonl >worse.jsonl
 expect 5 'worse: fine samples=4, room, 960x540: rmse was 0.05 and is 0.06' report worse.jsonl --against results.jsonl
 expect 5 'better, which may be a fault: fine .*: rmse was 0.06 and is 0.05' report results.jsonl --against worse.jsonl
-sed 's/"ratio_copy":6.0/"ratio_copy":7.0/' results.jsonl >slower.jsonl
-expect 5 'ratio_copy was 6 and is 7' report slower.jsonl --against results.jsonl
+sed 's/"ratio_learnopengl":6.0/"ratio_learnopengl":7.0/' results.jsonl >slower.jsonl
+expect 5 'ratio_learnopengl was 6 and is 7' report slower.jsonl --against results.jsonl
 expect 0 '^5 bench samples compared' report slower.jsonl --against results.jsonl --errors-only
-expect 0 'better: .*ratio_copy was 7 and is 6' report results.jsonl --against slower.jsonl
+expect 0 'better: .*ratio_learnopengl was 7 and is 6' report results.jsonl --against slower.jsonl
 sed 's/"room"/"hall"/' results.jsonl >other.jsonl
 expect 5 'missing now: fine samples=4, room' report other.jsonl --against results.jsonl
 finish

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#include "tools/measure/bench/quick.h"
+
+#include "core/base/text.h"
+#include "tools/measure/bench/neighbours.h"
+#include "tools/measure/taps.h"
+
+#include <cmath>
+
+namespace crevice {
+namespace {
+
+/// The share of the time after which no further config is begun.
+constexpr double kFirstShare = 0.4;
+
+/// What a config with other values did at full size may be off by this from what it did.
+constexpr double kKinOff = 1.25;
+
+constexpr std::size_t kMostPixels = 128000;
+
+/// Configs that a first look is at, if there are as many; else all presets.
+constexpr std::size_t kLeastFirst = 4;
+
+/// How far beyond a limit one may be whose neighbours are tried.
+constexpr double kSlack[] = {1.0, 1.25, 1.6, 2.0};
+
+double medianOfTurns(const std::vector<double>& values)
+{
+    return values.empty() ? 0.0 : timeFigures(values).median;
+}
+
+/// Never surer than what a bench settles for.
+Range intervalOf(const std::vector<double>& values)
+{
+    if (values.empty()) return {};
+    const TimeFigures figures = timeFigures(values);
+    const double margin = std::max(kSettledMargin, medianMargin(figures, values.size()));
+    return rangeOf(figures.median, figures.median * margin);
+}
+
+/// All shipped ones where none is named: presets first, then by the number of their taps.
+QuickOptions withConfigs(QuickOptions options, const SourceSet& sources)
+{
+    if (!options.configs.empty()) return options;
+    std::map<std::string, int> taps;
+    for (const std::string& name : configNames(sources))
+        if (const auto loaded = loadDescription({name, {}, {}, {}}, sources))
+            taps[name] = isPresetConfig(name) ? -1 : samplesOf(*loaded);
+    for (const auto& [name, count] : taps) options.configs.push_back(name);
+    std::stable_sort(options.configs.begin(), options.configs.end(),
+                     [&](const std::string& a, const std::string& b) { return taps[a] < taps[b]; });
+    return options;
+}
+
+/// What a figure became at full size: of the same config with other values, else of all.
+template <class Figure>
+Range growthOf(const Entrant& entrant, const std::vector<Entrant>& all, Figure&& figure)
+{
+    std::vector<double> factors;
+    for (const Entrant& other : all) {
+        if (!other.small || !other.full) continue;
+        const double factor = figure(other.full) / std::max(1e-9, figure(other.small));
+        if (other.config == entrant.config) return {factor, factor / kKinOff, factor * kKinOff};
+        factors.push_back(factor);
+    }
+    return factorOf(factors);
+}
+
+double errorOf(const Look& look) { return look.with_flicker; }
+double costOf(const Look& look) { return medianOfTurns(look.costs); }
+double ratioOf(const Look& look) { return medianOfTurns(look.ratios); }
+
+std::map<std::string, std::string> settingsOf(const Entrant& entrant)
+{
+    std::map<std::string, std::string> values;
+    for (const ParamDesc& param : entrant.description.params)
+        values[param.name] = significant(param.value[0], 6);
+    for (const FeatureDesc& feature : entrant.description.features)
+        values[feature.name] = feature.values[feature.value];
+    for (const std::string& text : entrant.overrides)
+        values[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1);
+    return values;
+}
+
+/// "steps=9" where that is all that `other` has otherwise; else nothing.
+std::string settingApart(const Entrant& entrant, const Entrant& other)
+{
+    if (other.config != entrant.config) return {};
+    const auto own = settingsOf(entrant);
+    std::string apart;
+    for (const auto& [name, value] : settingsOf(other)) {
+        const auto same = own.find(name);
+        if (same != own.end() && same->second == value) continue;
+        if (!apart.empty()) return {};
+        apart = name + "=" + value;
+    }
+    return apart;
+}
+
+Standing asMeasured(const Look& look)
+{
+    return {intervalOf(look.costs), intervalOf(look.ratios),
+            rangeOf(look.with_flicker, look.error.margin), true, &look.error};
+}
+
+}  // namespace
+
+QuickBench::QuickBench(Device& device, const BenchView& view, const SourceSet& sources,
+                       QuickOptions options)
+    : sources_(sources),
+      options_(withConfigs(std::move(options), sources)),
+      start_s_(clockSeconds()),
+      meter_(
+          device, view, sources,
+          {options_.scene, options_.roots, options_.motion, options_.version, options_.interrupted})
+{
+}
+
+double QuickBench::seconds() const { return clockSeconds() - start_s_; }
+
+Standing QuickBench::standingOf(const Entrant& entrant) const
+{
+    if (entrant.full) return asMeasured(entrant.full);
+    const Standing is = asMeasured(entrant.small);
+    return {scaled(is.ms, growthOf(entrant, entrants_, costOf)),
+            scaled(is.ratio, growthOf(entrant, entrants_, ratioOf)),
+            scaled(is.error, growthOf(entrant, entrants_, errorOf))};
+}
+
+std::vector<Standing> QuickBench::standings() const
+{
+    std::vector<Standing> all;
+    for (const Entrant& entrant : entrants_) all.push_back(standingOf(entrant));
+    return all;
+}
+
+/// Says the leader where it is another than before; of small pictures where nothing else is known.
+void QuickBench::sayLeader(const std::string& how)
+{
+    std::vector<Standing> all = standings();
+    if (!how.empty())
+        for (Standing& standing : all) standing.measured = true;
+    const auto first = leaderOf(all, options_.limits);
+    if (!first || (entrants_[*first].label() == leader_ && how.empty())) return;
+    leader_ = entrants_[*first].label();
+    const Standing& it = all[*first];
+    options_.say(fixed(seconds(), 0) + " s: " + leader_ + ", error " + fixed(it.error.value, 3) +
+                 " (" + fixed(it.error.low, 3) + " to " + fixed(it.error.high, 3) + "), " +
+                 significant(it.ms.value, 3) + " ms" + how);
+}
+
+/// Draws a config in the small picture, and keeps it where its occlusion is one of its own. A
+/// feature must change passes: what it changes in shaders alone may be there for what no error
+/// tells, such as ghosts of a history.
+void QuickBench::enter(Entrant entrant)
+{
+    const std::string label = entrant.label();
+    if (anyOf(entrants_, [&](const Entrant& each) { return each.label() == label; })) return;
+    Status done = meter_.load(entrant);
+    const std::string set = entrant.setting.substr(0, entrant.setting.find('='));
+    const bool by_feature = findNamed(entrant.description.features, set) != nullptr;
+    const auto same = [&](const Entrant& each) {
+        return each.passes == entrant.passes && (by_feature || each.programs == entrant.programs);
+    };
+    if (done && anyOf(entrants_, same)) return;
+    if (done) done = meter_.lookSmall(entrant, entrant.setting.empty());
+    if (done) return entrants_.push_back(std::move(entrant));
+    if (!entrant.setting.empty()) return;  // values that do not go together
+    const Diagnostic& why = firstError(done.diagnostics());
+    warnings_.push_back(asWarning({why.code, label + " is left out: " + why.message}));
+}
+
+/// The next config. False where there is none, or no time for one.
+bool QuickBench::enterNext()
+{
+    if (next_config_ == options_.configs.size() || seconds() > kFirstShare * options_.time_s)
+        return false;
+    enter({options_.configs[next_config_++], options_.overrides});
+    return true;
+}
+
+/// The leader, or else the nearest that would lead were it within the limits: whichever has no
+/// neighbours yet.
+std::optional<std::size_t> QuickBench::withoutNeighbours() const
+{
+    for (const double slack : kSlack) {
+        ChoiceLimits limits = options_.limits;
+        for (ChoiceLimit& limit : limits) limit.most *= slack;
+        const auto first = leaderOf(standings(), limits);
+        if (first && !entrants_[*first].has_neighbours) return first;
+    }
+    return std::nullopt;
+}
+
+/// False where all that matter have theirs.
+bool QuickBench::enterNeighbours()
+{
+    const auto place = withoutNeighbours();
+    if (!place) return false;
+    entrants_[*place].has_neighbours = true;
+    if (!meter_.lookSmall(entrants_[*place], false)) return true;  // its cost was rough
+    const std::string of = entrants_[*place].label(), config = entrants_[*place].config;
+    const std::vector<std::string> own = entrants_[*place].overrides;
+    std::vector<std::string> settings = neighbourSettings(entrants_[*place].description);
+    for (std::string& swap : filterSwaps(sources_, {config, {}, own, options_.roots}))
+        settings.push_back(std::move(swap));
+    for (const std::string& setting : settings) {
+        if (mustStop()) return false;
+        enter({config, withSetting(own, setting), setting, of});
+    }
+    return true;
+}
+
+/// What cannot be drawn there is out.
+void QuickBench::lookFull(std::size_t place)
+{
+    const Status drawn = meter_.lookFull(entrants_[place]);
+    if (drawn) return;
+    warnings_.push_back(asWarning(firstError(drawn.diagnostics())));
+    entrants_.erase(entrants_.begin() + static_cast<std::ptrdiff_t>(place));
+}
+
+void QuickBench::race()
+{
+    while (!mustStop()) {
+        const auto next = nextOf(standings(), options_.limits, options_.whole_front);
+        if (next)
+            lookFull(*next);
+        else if (!enterNext() && !enterNeighbours())
+            break;
+        sayLeader("");
+    }
+    const auto is_known = [](const Entrant& each) { return static_cast<bool>(each.full); };
+    if (anyOf(entrants_, is_known) || entrants_.empty()) return;
+    lookFull(nearestOf(standings(), options_.limits));  // so that the answer can say how far it is
+}
+
+/// While there is time: what is next to the leader, then more pixels and turns for it and for the
+/// next best.
+void QuickBench::refine()
+{
+    const auto leader = leaderOf(standings(), options_.limits);
+    const std::string of = leader ? entrants_[*leader].label() : "";
+    for (std::size_t i = entrants_.size(); i-- > 0 && !mustStop();)
+        if (leader && entrants_[i].of == of && !entrants_[i].full) lookFull(i);
+    for (std::size_t pixels = kFullPixels; pixels < kMostPixels && !mustStop();) {
+        std::vector<Standing> all = standings();
+        const auto first = leaderOf(all, options_.limits);
+        if (!first || !meter_.grow(pixels *= 2)) return;
+        all[*first].measured = false;
+        const auto second = leaderOf(all, options_.limits);
+        lookFull(*first);
+        if (second && !mustStop()) lookFull(*second);
+    }
+}
+
+Status QuickBench::run()
+{
+    Entrant first{options_.configs.front(), options_.overrides};
+    if (const Status begun = meter_.begin(first); !begun) return begun;
+    const auto presets =
+        std::count_if(options_.configs.begin(), options_.configs.end(),
+                      [](const std::string& each) { return isPresetConfig(each); });
+    const std::size_t looked_at = std::max<std::size_t>(kLeastFirst, presets);
+    while (next_config_ < looked_at && enterNext()) {
+    }
+    sayLeader(": a first look, by small pictures");
+    if (const Status opened = meter_.openFull(); !opened) return opened;
+    race();
+    refine();
+    sayLeader("");
+    return warnings_;
+}
+
+std::vector<BenchSample> QuickBench::samples() const
+{
+    std::vector<BenchSample> samples;
+    for (const Entrant& entrant : entrants_)
+        if (entrant.full) samples.push_back(meter_.sampleOf(entrant));
+    return samples;
+}
+
+QuickDetails QuickBench::detailsOf(const BenchSample& sample) const
+{
+    QuickDetails details;
+    std::size_t place = 0;
+    while (place < entrants_.size() && entrants_[place].label() != sampleLabel(sample)) ++place;
+    if (place == entrants_.size()) return details;
+    const Entrant& it = entrants_[place];
+    const Range ms = intervalOf(it.full.costs);
+    details.error_margin = it.full.error.margin;
+    details.ms_margin = ms.high - ms.value;
+    details.sure = sureness(standings(), place, options_.limits);
+    details.dark = it.full.error.dark;
+    for (const Entrant& other : entrants_) {
+        const std::string setting = settingApart(it, other);
+        if (setting.empty()) continue;
+        const Look &its = other.full ? other.full : other.small,
+                   &own = other.full ? it.full : it.small;
+        details.neighbours.push_back(
+            {setting, errorOf(its) / errorOf(own), costOf(its) / costOf(own), !other.full});
+    }
+    return details;
+}
+
+}  // namespace crevice

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// A quick answer to which config to take in a view: `crevice choose --scene F`.
+//
+// Presets are drawn in a small picture first, whose cost and error say roughly what they are at
+// full size. What could win (tools/measure/bench/race.h) is drawn there and timed against
+// `learnopengl`; then the other configs, and what is next to the best: steps, slices, resolution,
+// features, filters. Errors are those over some thousands of pixels, with their margins
+// (tools/measure/reference/sparse_truth.h), which shrink in the time that is left.
+#pragma once
+
+#include "tools/measure/bench/entrant.h"
+#include "tools/measure/bench/race.h"
+
+namespace crevice {
+
+struct QuickOptions {
+    std::string scene;                        ///< Its name, as --scene has it.
+    std::vector<std::string> configs;         ///< Empty: all shipped ones.
+    std::vector<std::string> overrides = {};  ///< For every config, as --set has them.
+    std::vector<std::string> roots = {};      ///< As LoadRequest has them.
+    ChoiceLimits limits = {};                 ///< None: the most accurate wins.
+    bool whole_front = false;  ///< Measure all that may be on the front, not only what may win.
+    bool motion = false;       ///< Flicker counts as error: see flickerOf().
+    double time_s = 50;        ///< Nothing is begun after it.
+    std::string version = {};  ///< Of crevice.
+    std::function<bool()> interrupted = [] { return false; };
+    std::function<void(const std::string& line)> say = [](const std::string&) {};
+};
+
+/// What is known of an answer beside its figures.
+struct QuickDetails {
+    /// A config next to it: what its error and its cost are over the answer's; at full size where
+    /// there was time for that, else in small pictures.
+    struct Neighbour {
+        std::string setting;  ///< As --set has it.
+        double error = 0;
+        double cost = 0;
+        bool rough = false;  ///< By small pictures.
+    };
+
+    double error_margin = 0;  ///< Half the width of the error's 95 % interval.
+    double ms_margin = 0;     ///< Of the cost's.
+    double sure = 0;          ///< As sureness() has it.
+    double dark = 0;          ///< Share of the squared error where the picture is too dark.
+    std::vector<Neighbour> neighbours;
+};
+
+/// The device, the view and the sources must outlive it.
+class QuickBench {
+public:
+    QuickBench(Device& device, const BenchView& view, const SourceSet& sources,
+               QuickOptions options);
+
+    /// Measures until the answer stands or the time is over; says a first answer, and each other
+    /// one. Errors: those of ViewMeter::begin. What cannot be drawn is a warning.
+    Status run();
+
+    /// What was measured at full size.
+    std::vector<BenchSample> samples() const;
+
+    /// Of one of the samples.
+    QuickDetails detailsOf(const BenchSample& sample) const;
+
+private:
+    double seconds() const;
+    bool mustStop() const { return options_.interrupted() || seconds() > options_.time_s; }
+    Standing standingOf(const Entrant& entrant) const;
+    std::vector<Standing> standings() const;
+    std::optional<std::size_t> withoutNeighbours() const;
+    void sayLeader(const std::string& how);
+    void enter(Entrant entrant);
+    bool enterNext();
+    bool enterNeighbours();
+    void lookFull(std::size_t place);
+    void race();
+    void refine();
+
+    const SourceSet& sources_;
+    const QuickOptions options_;
+    const double start_s_;
+    ViewMeter meter_;
+    std::size_t next_config_ = 0;  // of options_.configs
+    std::vector<Entrant> entrants_;
+    std::string leader_;
+    Diagnostics warnings_;
+};
+
+}  // namespace crevice
