@@ -23,9 +23,19 @@ bool shows(const ResultView& view, const BenchSample& sample)
 void nameViews(std::vector<ResultView>& views)
 {
     std::map<std::string, std::set<std::string>> cameras;
-    for (const ResultView& view : views) cameras[view.scene].insert(view.camera);
-    for (ResultView& view : views)
-        view.name = cameras[view.scene].size() > 1 ? viewName(view.scene, view.camera) : view.scene;
+    std::map<std::string, std::set<std::string>> paths;  // by the name of the file
+    const auto fileOf = [](const std::string& scene) {
+        return scene.substr(scene.find_last_of('/') + 1);
+    };
+    for (const ResultView& view : views) {
+        cameras[view.scene].insert(view.camera);
+        paths[fileOf(view.scene)].insert(view.scene);
+    }
+    for (ResultView& view : views) {
+        const std::string file = fileOf(view.scene);
+        const std::string& scene = paths[file].size() > 1 ? view.scene : file;
+        view.name = viewName(scene, cameras[view.scene].size() > 1 ? view.camera : "");
+    }
 }
 
 long long pixelCount(Extent extent) { return 1LL * extent.width * extent.height; }

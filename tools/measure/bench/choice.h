@@ -21,7 +21,8 @@ struct ResultView {
     double radius = 0;
     std::string clock;                      ///< As BenchSample has it.
     std::vector<std::size_t> samples = {};  ///< Indexes, in the order of the results.
-    /// The scene; with its camera where it was seen from several.
+    /// The scene, of a file its name where no other is called so; with its camera where it was seen
+    /// from several.
     std::string name = {};
 };
 

@@ -61,8 +61,8 @@ const three = x => x >= 1000 ? Math.round(x).toLocaleString("en") : String(Numbe
 const ms = x => three(x) + " ms";
 const error = x => x.toFixed(x < 0.01 ? 4 : 3);
 const times = x => x > 0 ? three(x) + "×" : "–";
-// "learnopengl /generated/kernel/shape=cube" as "learnopengl shape=cube".
-const brief = label => label.replace(/ \/\S*\/(?=[^\s/]+=)/g, " ");
+// "some/where/mine.json /generated/kernel/shape=cube" as "mine.json shape=cube".
+const brief = label => label.replace(/^\S*\/(?=[^\s/]+\.json)/, "").replace(/ \/\S*\/(?=[^\s/]+=)/g, " ");
 const CLOCKS = {query: "the GPU's timer", cpu: "the processor time of the process", wall: "wall clock"};
 const ROLES = {cheapest: "Cheapest", balanced: "Take this", "most accurate": "Most accurate"};
 
@@ -126,7 +126,7 @@ function showView(parent, view, open) {
   const columns = [...COLUMNS, ...(all.some(s => s.motion) ? MOTION : [])];
   const link = s => cell => {
     add(cell, "span", {class: "dot", style: `background:${colorOf(s.family)}`});
-    add(cell, "button", {class: "link", type: "button", onclick: () => select(s)}, s.label + (front.includes(s) ? " ★" : ""));
+    add(cell, "button", {class: "link", type: "button", onclick: () => select(s)}, brief(s.label) + (front.includes(s) ? " ★" : ""));
   };
   table(section, [["config (★: no other beats it)", "label"], ...columns.map(([name]) => [name, "num"])],
     all.map(s => ({cells: [link(s), ...columns.map(([, text]) => text(s))]})), {class: "bench-samples"});
