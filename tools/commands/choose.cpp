@@ -185,6 +185,15 @@ void printDetails(const BenchSample& best, const QuickDetails& details)
     print("  too %s by %s in the mean; %s %% of the squared error is where it is too dark\n",
           best.error.bias < 0 ? "dark" : "bright", fixed(std::abs(best.error.bias), 4).c_str(),
           fixed(100.0 * details.dark, 0).c_str());
+    const FrameShares& frame = details.frame;
+    const double whole = frame.occlusion + frame.own_geometry + frame.geometry + frame.lighting;
+    if (whole > 0)
+        print(
+            "  a whole frame takes %s ms: geometry %s, occlusion %s and its own geometry %s, "
+            "lighting %s\n",
+            significant(whole, 3).c_str(), significant(frame.geometry, 3).c_str(),
+            significant(frame.occlusion, 3).c_str(), significant(frame.own_geometry, 3).c_str(),
+            significant(frame.lighting, 3).c_str());
     if (!details.neighbours.empty()) print("the error by part: what each would change\n");
     for (const QuickDetails::Neighbour& each : details.neighbours)
         print("  %-44s error %7s   cost %7s%s\n", each.setting.c_str(),
@@ -229,8 +238,12 @@ void printAnswer(const Answer& answer)
 nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchSample>& samples)
 {
     const BenchSample& sample = samples[candidate.sample];
-    return {{"config", sample.config}, {"overrides", sample.overrides}, {"samples", sample.samples},
-            {"cost_ms", candidate.ms}, {"ratio_learnopengl", candidate.ratio}, {"rmse", candidate.error}};
+    return {{"config", sample.config},
+            {"overrides", sample.overrides},
+            {"samples", sample.samples},
+            {"cost_ms", candidate.ms},
+            {"ratio_learnopengl", candidate.ratio},
+            {"rmse", candidate.error}};
 }
 
 void printAnswerJson(const Answer& answer)
@@ -254,6 +267,10 @@ void printAnswerJson(const Answer& answer)
         json["rmse_margin"] = details.error_margin;
         json["cost_ms_margin"] = details.ms_margin;
         json["dark_share"] = details.dark;
+        json["frame_ms"] = {{"geometry", details.frame.geometry},
+                            {"occlusion", details.frame.occlusion},
+                            {"own_geometry", details.frame.own_geometry},
+                            {"lighting", details.frame.lighting}};
         json["parts"] = nlohmann::json::array();
         for (const QuickDetails::Neighbour& each : details.neighbours)
             json["parts"].push_back({{"set", each.setting},

@@ -22,6 +22,7 @@ constexpr int kSmallestHeight = 90;
 constexpr std::size_t kSmallPixels = 2000;
 constexpr int kTraceRays = 256;  // as a bench has
 constexpr int kTimedTurns = 3;
+constexpr int kWholeFrames = 5;
 
 }  // namespace
 
@@ -180,6 +181,38 @@ Status ViewMeter::time(Entrant& entrant, Picture& picture, const Frame& frame, b
     }
     entrant.clock = taker.frames().back().method;
     return {};
+}
+
+Result<FrameShares> ViewMeter::sharesOf(Entrant& entrant)
+{
+    const Result<Frame> frame = entrant.host->frameOf(full_.frame);
+    if (!frame) return frame.diagnostics();
+    const SceneTraits traits = traitsOf(*frame);
+    const auto made =
+        Renderer::create(device_, entrant.description, {seen_.extent, {}, {}}, traits);
+    if (!made) return made.diagnostics();
+    const Plan &whole = (*made)->plan(), &occlusion = entrant.renderer->plan();
+    const auto own =
+        ownGeometry(whole, entrant.description, traits, device_.caps(), {seen_.extent});
+    if (!own) return own.diagnostics();
+    std::vector<std::vector<double>> times(whole.passes.size());
+    for (int i = 0; i <= kWholeFrames; ++i) {
+        const Result<FrameTimes> timed = timeFrame(**made, *frame);
+        if (!timed) return timed.diagnostics();
+        for (std::size_t pass = 0; i > 0 && pass < times.size(); ++pass)
+            times[pass].push_back(timed->pass_ms[pass]);
+    }
+    FrameShares shares;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const PlanPass& pass = whole.passes[i];
+        const bool draws = pass.type == PassType::draw;
+        double& share = !findNamed(occlusion.passes, pass.name) ? shares.lighting
+                        : !draws                                ? shares.occlusion
+                        : (*own)[i]                             ? shares.own_geometry
+                                                                : shares.geometry;
+        share += timeFigures(times[i]).median;
+    }
+    return shares;
 }
 
 BenchSample ViewMeter::sampleOf(const Entrant& entrant) const

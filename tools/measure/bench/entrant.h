@@ -45,6 +45,14 @@ struct Entrant {
     std::string label() const;  ///< As sampleLabel has it.
 };
 
+/// Milliseconds of a whole frame of a config, of which a host may draw some itself.
+struct FrameShares {
+    double occlusion = 0;     ///< As occlusionCost has it.
+    double own_geometry = 0;  ///< Drawn for it alone: back faces, layers.
+    double geometry = 0;      ///< Drawn for it and for others.
+    double lighting = 0;      ///< All other passes.
+};
+
 struct ViewMeterOptions {
     std::string scene;                    ///< Its name, as --scene has it.
     std::vector<std::string> roots = {};  ///< As LoadRequest has them.
@@ -82,6 +90,10 @@ public:
     /// sparseError.
     Status lookSmall(Entrant& entrant, bool rough);
     Status lookFull(Entrant& entrant) { return look(entrant, full_, false); }
+
+    /// Medians of whole frames at full size. Requires that it was drawn there. Errors: those of
+    /// Renderer::create, timeFrame and ownGeometry.
+    Result<FrameShares> sharesOf(Entrant& entrant);
 
     /// Traces the full picture's truth at so many pixels. Errors: none that were not there before.
     Status grow(std::size_t pixels) { return full_.truth->grow(pixels); }

@@ -269,6 +269,8 @@ Status QuickBench::run()
     race();
     refine();
     sayLeader("");
+    if (const auto best = leaderOf(standings(), options_.limits); best && !options_.interrupted())
+        if (const auto shares = meter_.sharesOf(entrants_[*best])) shares_ = *shares;
     return warnings_;
 }
 
@@ -292,6 +294,7 @@ QuickDetails QuickBench::detailsOf(const BenchSample& sample) const
     details.ms_margin = ms.high - ms.value;
     details.sure = sureness(standings(), place, options_.limits);
     details.dark = it.full.error.dark;
+    if (it.label() == leader_) details.frame = shares_;
     for (const Entrant& other : entrants_) {
         const std::string setting = settingApart(it, other);
         if (setting.empty()) continue;

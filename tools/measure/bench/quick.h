@@ -43,6 +43,7 @@ struct QuickDetails {
     double sure = 0;          ///< As sureness() has it.
     double dark = 0;          ///< Share of the squared error where the picture is too dark.
     std::vector<Neighbour> neighbours;
+    FrameShares frame;  ///< Zeros of any but the answer.
 };
 
 /// The device, the view and the sources must outlive it.
@@ -82,6 +83,7 @@ private:
     std::size_t next_config_ = 0;  // of options_.configs
     std::vector<Entrant> entrants_;
     std::string leader_;
+    FrameShares shares_;  // of the leader
     Diagnostics warnings_;
 };
 
