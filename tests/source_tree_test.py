@@ -21,7 +21,7 @@ LAYERS = {
     'core': 'base json glsl gpu frame sampling config compile run renderer'.split(),
     'backends': 'gl context recording'.split(),
     'tools': 'render/image commands/cli render/glsl show/schema show/plan render/scene measure/reference render/device render '
-             'measure/cost measure/motion measure measure/bench measure/stress show/report show/view show/page commands '
+             'measure/cost measure/motion measure measure/bench measure/stress measure/matrix show/report show/view show/page commands '
              'examples'.split(),
 }
 TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)

@@ -102,10 +102,11 @@ int run(int argc, char** argv)
         "4 a result cannot be written, 5 over a limit, or something is wrong, 130 interrupted.\n"
         "Each command has its own --help with examples.");
     using namespace crevice;
-    for (const auto add : {addRenderCommand, addValidateCommand, addExplainCommand,
-                           addDoctorCommand, addCompareCommand, addReferenceCommand,
-                           addBenchCommand, addReportCommand, addChooseCommand, addCostCommand,
-                           addSchemaCommand, addStressCommand, addViewCommand, addLookCommands})
+    for (const auto add :
+         {addRenderCommand, addValidateCommand, addExplainCommand, addDoctorCommand,
+          addCompareCommand, addReferenceCommand, addBenchCommand, addReportCommand,
+          addChooseCommand, addCostCommand, addSchemaCommand, addStressCommand, addTestCommand,
+          addViewCommand, addLookCommands})
         add(app, exit_code);
     try {
         app.parse(argc, argv);

@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "tools/measure/bench/choice.h"
 #include "tools/measure/line_file.h"
+#include "tools/show/report/page.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,8 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Where in the page the figures go.
-constexpr std::string_view kDataMark = "/*report.json*/";
 constexpr std::size_t kMaxPictureBytes = 64u << 20;
 
 std::string base64(std::string_view bytes)
@@ -64,21 +63,6 @@ json picturesOf(const std::vector<BenchSample>& samples, Diagnostics& warnings)
                  "the report leaves it out; keep pictures in the folder of their results file"}));
         }
     return found;
-}
-
-/// The same with every text as it can be shown.
-json shown(const json& data)
-{
-    if (data.is_string()) return printable(data.get_ref<const std::string&>());
-    if (!data.is_structured()) return data;
-    json copy = data.is_array() ? json::array() : json::object();
-    for (const auto& [key, value] : data.items()) {
-        if (data.is_array())
-            copy.push_back(shown(value));
-        else
-            copy[printable(key)] = shown(value);
-    }
-    return copy;
 }
 
 /// The candidates worth taking, by rising cost, with the part each plays.
@@ -223,12 +207,7 @@ Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool wit
     Diagnostics warnings;
     json model = reportModel(samples);
     model["pictures"] = with_pictures ? picturesOf(samples, warnings) : json::object();
-    std::string figures;
-    for (const char c : jsonLine(shown(model)))  // in which "</script>" must end nothing
-        c == '<' ? figures += "\\u003c" : figures += c;
-    std::string page(benchPage());
-    page.replace(page.find(kDataMark), kDataMark.size(), figures);
-    return {std::move(page), std::move(warnings)};
+    return {pageOf(benchPage(), model), std::move(warnings)};
 }
 
 }  // namespace crevice

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// Matrix files: what is read, what is refused and where, and which cells come of it.
+#include "tools/measure/matrix/plan.h"
+
+#include "core/base/files.h"
+#include "core/base/text.h"
+#include "tests/support/catch.h"
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/render/image/image_file.h"
+
+#include <crevice/shipped.h>
+
+using namespace crevice;
+
+namespace {
+
+/// A matrix file of a folder of its own.
+Result<Matrix> read(const std::string& text)
+{
+    static const TemporaryFolder folder("matrix");
+    return readMatrix(folder.write("matrix.json", text));
+}
+
+/// One line, so that columns count from its beginning.
+std::string withChecks(const std::string& keys, const std::string& checks = R"({"finite": true})")
+{
+    return R"({"format": 1, "configs": ["gtao", "mobile"], "scenes": ["corner", "plane"], )" + keys +
+           R"("checks": [)" + checks + "]}";
+}
+
+std::vector<std::string> namesOf(const Matrix& matrix)
+{
+    std::vector<std::string> names;
+    for (const MatrixCell& cell : matrix.cells) names.push_back(cell.name);
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("What is wrong in a matrix file is told with its place and a way out")
+{
+    const struct {
+        std::string text;
+        Code code;
+        std::string at;  // what the place begins with
+    } cases[] = {
+        {R"({"configs": ["gtao"], "scenes": ["corner"], "checks": [{"finite": true}]})",
+         Code::format_version, "{"},
+        {withChecks(R"("format ": 1, )"), Code::unknown_key, "\"format \""},
+        {withChecks(R"("camera": ["frame"], )"), Code::unknown_key, "\"camera\""},
+        {withChecks(R"("cameras": "frame", )"), Code::wrong_type, "\"frame\""},
+        {withChecks(R"("cameras": [1], )"), Code::wrong_type, "1]"},
+        {withChecks(R"("cameras": [], )"), Code::bad_length, "[]"},
+        {withChecks(R"("sets": ["radius=1"], )"), Code::wrong_type, "[\"radius=1\"]"},
+        {withChecks(R"("sizes": ["64x"], )"), Code::bad_size, "\"64x\""},
+        {withChecks(R"("sizes": ["64x36", "64x36"], )"), Code::duplicate_key, "\"64x36\"]"},
+        {withChecks(R"("backends": ["elg"], )"), Code::bad_enum, "\"elg\""},
+        {withChecks(R"("params": {"radius": 1}, )"), Code::wrong_type, "1}"},
+        {withChecks(R"("params": {"scene": [1]}, )"), Code::name_collision, "\"scene\""},
+        {withChecks(R"("combine": "pairs", )"), Code::bad_enum, "\"pairs\""},
+        {withChecks(R"("cells": [{"confg": "gtao"}], )"), Code::reference_missing, "\"confg\""},
+        {withChecks(R"("cells": [{"config": "gtoa"}], )"), Code::reference_missing, "\"gtoa\""},
+        {withChecks(R"("approved_format": "jpg", )"), Code::bad_enum, "\"jpg\""},
+        {withChecks("", ""), Code::missing_key, "[]"},
+        {withChecks("", R"({"where": {"config": "gtao"}})"), Code::missing_key, "{\"where\""},
+        {withChecks("", R"({"finite": true, "plan": true})"), Code::name_collision, "{\"finite\""},
+        {withChecks("", R"({"finite": false})"), Code::wrong_type, "false"},
+        {withChecks("", R"({"approved": {}})"), Code::missing_key, "{}"},
+        {withChecks("", R"({"approved": {"share": 0.1}})"), Code::missing_key, "{\"share\""},
+        {withChecks("", R"({"approved": {"max": 2}})"), Code::out_of_range, "2}"},
+        {withChecks("", R"({"truth": {"rsme": 0.1}})"), Code::unknown_key, "\"rsme\""},
+        {withChecks("", R"({"same": {"max": 0}})"), Code::missing_key, "{\"max\""},
+        {withChecks("", R"({"same": {"as": {"config": ["gtao", "mobile"]}}})"), Code::bad_length,
+         "{\"config\""},
+        {withChecks("", R"({"time": {"over": {"config": "gtao"}}})"), Code::missing_key, "{\"over\""},
+        {withChecks("", R"({"range": [1, 0]})"), Code::bad_range, "[1, 0]"},
+        {withChecks("", R"({"open": {"share": 0}})"), Code::missing_key, "{\"share\""},
+        {withChecks("", R"({"same": {"as": {"scene": "plane"}}, "where": {"scene": "plane"}})"),
+         Code::unused_name, "\"same\""},
+        {withChecks("", R"({"finite": true, "where": {"scene": "plane"}})"), Code::unused_name,
+         "\"gtao\""},
+        {withChecks(R"("cameras": ["eye=1,1,1", "eye=1;1;1"], )"), Code::name_collision, "\"gtao\""},
+    };
+    for (const auto& [text, code, at] : cases) {
+        INFO(text);
+        const Result<Matrix> matrix = read(text);
+        REQUIRE(!matrix.ok());
+        const Diagnostic& error = matrix.diagnostics().front();
+        INFO(toText(error));
+        CHECK(error.code == code);
+        REQUIRE(error.place.column > 0);
+        CHECK(startsWith(text.substr(error.place.column - 1), at));
+        CHECK(!error.help.empty());
+    }
+    CHECK(read(R"({"formt": 1, "config": [], "scenes": ["corne"]})").diagnostics().size() == 6);
+    CHECK(readMatrix("nowhere.json").diagnostics()[0].code == Code::module_missing);
+}
+
+TEST_CASE("Configs, scenes and outputs are found before anything is drawn, or told with their place")
+{
+    const struct {
+        std::string text;
+        Code code;
+        std::string at;
+    } cases[] = {
+        {withChecks(R"("variants": ["gone"], )"), Code::variant_missing, "\"gtao\""},
+        {withChecks(R"("params": {"raduis": [1]}, )"), Code::unknown_param, ""},
+        {withChecks("", R"({"finite": true, "output": "oa"})"), Code::output_missing, "\"finite\""},
+        {withChecks(R"("cameras": ["left"], )"), Code::camera_missing, "\"left\""},
+    };
+    for (const auto& [text, code, at] : cases) {
+        INFO(text);
+        const Matrix matrix = need(read(text));
+        const Result<MatrixPlan> plan = planMatrix(matrix, {}, shippedSources());
+        REQUIRE(!plan.ok());
+        const Diagnostic& error = plan.diagnostics().front();
+        INFO(toText(error));
+        CHECK(error.code == code);
+        if (at.empty())
+            CHECK(error.notes.size() > 0);  // the place in the matrix file
+        else
+            CHECK(startsWith(text.substr(error.place.column - 1), at));
+    }
+}
+
+TEST_CASE("Cells are all combinations, those that are listed, and without those left out")
+{
+    const std::string axes = R"("params": {"radius": [0.5, 1]}, )";
+    CHECK(namesOf(need(read(withChecks(axes)))) ==
+          std::vector<std::string>{
+              "gtao, corner, radius=0.5", "gtao, corner, radius=1", "mobile, corner, radius=0.5",
+              "mobile, corner, radius=1", "gtao, plane, radius=0.5", "gtao, plane, radius=1",
+              "mobile, plane, radius=0.5", "mobile, plane, radius=1"});
+    CHECK(namesOf(need(read(withChecks(R"("cells": [{"config": "gtao", "scene": "plane"}], )")))) ==
+          std::vector<std::string>{"gtao, plane"});
+    CHECK(namesOf(need(read(withChecks(R"("except": [{"config": "gtao"}], )")))) ==
+          std::vector<std::string>{"mobile, corner", "mobile, plane"});
+}
+
+TEST_CASE("A pairwise matrix has every pair of values in few cells, and none that is left out")
+{
+    const Matrix matrix = need(read(withChecks(
+        R"("combine": "pairwise", "sizes": ["8x8", "9x9", "10x10"], "except": [{"size": "8x8", "scene": "plane"}],
+           "params": {"radius": [1, 2, 3], "power": [1, 2, 3]}, "backends": ["egl", "osmesa"], )")));
+    std::set<std::vector<std::size_t>> pairs;
+    for (const MatrixCell& cell : matrix.cells)
+        for (std::size_t a = 0; a < cell.choice.size(); ++a)
+            for (std::size_t b = a + 1; b < cell.choice.size(); ++b)
+                pairs.insert({a, cell.choice[a], b, cell.choice[b]});
+    std::size_t wanted = 0;
+    for (std::size_t a = 0; a < matrix.axes.size(); ++a)
+        for (std::size_t b = a + 1; b < matrix.axes.size(); ++b)
+            wanted += matrix.axes[a].values.size() * matrix.axes[b].values.size();
+    CHECK(pairs.size() == wanted - 1);
+    CHECK(matrix.cells.size() >= 9);
+    CHECK(matrix.cells.size() <= 13);  // of 180
+}
+
+TEST_CASE("Shards are all cells, each once; a filter chooses by name")
+{
+    const Matrix matrix = need(read(withChecks(R"("params": {"radius": [1, 2, 3]}, )")));
+    std::vector<std::size_t> all;
+    for (std::size_t shard = 1; shard <= 5; ++shard) {
+        MatrixOptions options;
+        options.shard = shard;
+        options.shards = 5;
+        const MatrixPlan plan = need(planMatrix(matrix, options, shippedSources()));
+        all.insert(all.end(), plan.cells.begin(), plan.cells.end());
+    }
+    REQUIRE(all.size() == matrix.cells.size());
+    for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == i);
+    MatrixOptions options;
+    options.filter = "gtao, plane";
+    CHECK(need(planMatrix(matrix, options, shippedSources())).cells.size() == 3);
+    options.filter = "gtoa";
+    CHECK(planMatrix(matrix, options, shippedSources()).diagnostics()[0].code == Code::usage);
+}
+
+TEST_CASE("A cell's key is another one when its config, view, checks or approved file change")
+{
+    const auto keyOfFirst = [](const std::string& keys, const std::string& check) {
+        const Matrix matrix = need(read(withChecks(keys, check)));
+        const MatrixPlan plan = need(planMatrix(matrix, {}, shippedSources()));
+        return keyOf(plan, matrix.cells[0], "1");
+    };
+    const std::string check = R"({"approved": {"max": 0.1}})";
+    std::set<std::string> keys;
+    keys.insert(keyOfFirst("", check));
+    keys.insert(keyOfFirst("", check));
+    CHECK(keys.size() == 1);
+    keys.insert(keyOfFirst("", R"({"approved": {"max": 0.2}})"));
+    keys.insert(keyOfFirst(R"("sets": {"a": ["radius=1"]}, )", check));
+    keys.insert(keyOfFirst(R"("sizes": ["64x36"], )", check));
+    keys.insert(keyOfFirst(R"("cameras": ["frame=top"], )", check));
+    keys.insert(keyOfFirst(R"("backends": ["osmesa"], )", check));
+    const Matrix matrix = need(read(withChecks("", check)));
+    const std::string file = approvedFile(matrix, matrix.cells[0], matrix.checks[0]);
+    std::filesystem::create_directories(matrix.approved_folder);
+    need(writeFile(file, "approved"));
+    keys.insert(keyOfFirst("", check));
+    CHECK(keys.size() == 7);
+    CHECK(unusedApproved(matrix).empty());
+    need(writeFile(matrix.approved_folder + "/gone.ao.png", "approved"));
+    CHECK(unusedApproved(matrix).size() == 1);
+}
+
+TEST_CASE("The page on matrix files names every key that they may have")
+{
+    const std::string page =
+        readBytes(CREVICE_SOURCE_DIR "/docs/reference/matrix.md", 1 << 20).bytes;
+    for (const MatrixKey& key : matrixKeys()) {
+        INFO(key.section << "/" << key.name);
+        CHECK((has(page, "`" + key.name + "`") || has(page, "`\"" + key.name + "\"")));
+    }
+}
