@@ -20,7 +20,7 @@ std::string fileName(const std::string& name)
 
 /// Names of the values of axes that have several, but for one axis.
 std::string choiceName(const Matrix& matrix, const MatrixChoice& choice, const char* separator,
-                    std::size_t left_out)
+                       std::size_t left_out)
 {
     std::vector<std::string> names;
     for (std::size_t axis = 0; axis < choice.size(); ++axis) {
@@ -109,13 +109,10 @@ Diagnostics checkLayout(const Matrix& matrix)
     Diagnostics errors;
     std::set<std::size_t> used;
     std::map<std::string, const MatrixCell*> files;
+    std::vector<const MatrixCell*> unchecked;
     for (const MatrixCell& cell : matrix.cells) {
         used.insert(cell.checks.begin(), cell.checks.end());
-        if (cell.checks.empty())
-            errors.push_back({Code::unused_name, "no check is for the cell '" + cell.name + "'",
-                              "add one whose `where` it matches, such as {\"finite\": true}, or "
-                              "leave the cell out by `except`",
-                              matrix.value(cell.choice, kConfigAxis).place});
+        if (cell.checks.empty()) unchecked.push_back(&cell);
         const auto [known, is_new] = files.try_emplace(cell.file, &cell);
         if (!is_new)
             errors.push_back(
@@ -129,6 +126,16 @@ Diagnostics checkLayout(const Matrix& matrix)
         if (used.count(i) == 0)
             errors.push_back({Code::unused_name, "no cell matches this check",
                               "change its `where`, or leave it out", matrix.checks[i].place});
+    if (!unchecked.empty())
+        errors.push_back({Code::unused_name,
+                          "no check is for " + std::to_string(unchecked.size()) +
+                              " cells, of which the first is '" + unchecked[0]->name + "'",
+                          "add one whose `where` they match, such as {\"finite\": true}, or leave "
+                          "them out by `except`",
+                          matrix.value(unchecked[0]->choice, kConfigAxis).place});
+    if (matrix.cells.empty())
+        errors.push_back({Code::unused_name, "no cell is left", "change `cells` and `except`",
+                          matrix.value(MatrixChoice(matrix.axes.size()), kConfigAxis).place});
     return errors;
 }
 

@@ -161,7 +161,12 @@ private:
     {
         const Node* node = object.find(key);
         if (!node || node->kind == kind) return node;
-        wrongType(*node, "'" + key + "'", std::string("the kind ") + kindName(kind), "");
+        const char* const example = kind == Kind::object    ? "{...}"
+                                    : kind == Kind::array   ? "[...]"
+                                    : kind == Kind::boolean ? "true"
+                                                            : "\"...\"";
+        wrongType(*node, "'" + key + "'", std::string("the kind ") + kindName(kind),
+                  "write \"" + key + "\": " + example);
         return nullptr;
     }
 
@@ -208,7 +213,8 @@ private:
         } else {
             return wrongType(values, std::string("'") + key.key + "'",
                              sets ? "an object of lists" : "a list or an object of texts",
-                             sets ? "write \"sets\": {\"wide\": [\"radius=1\"]}" : "");
+                             sets ? "write \"sets\": {\"wide\": [\"radius=1\"]}"
+                                  : std::string("write \"") + key.key + "\": [\"...\"]");
         }
         if (axis.values.empty())
             fail(values.place, Code::bad_length, std::string("'") + key.key + "' is empty",
@@ -227,7 +233,7 @@ private:
                                  "write [\"radius=1\", \"steps=4\"]");
             for (const Node& item : node.items) value.overrides.push_back(item.text);
         } else if (node.kind != Kind::string) {
-            return wrongType(node, what, "a text", "");
+            return wrongType(node, what, "a text", "write it in quotes");
         }
         if (anyOf(axis.values, [&](const MatrixValue& each) { return each.name == name; }))
             return fail(place, Code::duplicate_key, "'" + name + "' is named twice",

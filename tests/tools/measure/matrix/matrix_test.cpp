@@ -25,8 +25,8 @@ Result<Matrix> read(const std::string& text)
 /// One line, so that columns count from its beginning.
 std::string withChecks(const std::string& keys, const std::string& checks = R"({"finite": true})")
 {
-    return R"({"format": 1, "configs": ["gtao", "mobile"], "scenes": ["corner", "plane"], )" + keys +
-           R"("checks": [)" + checks + "]}";
+    return R"({"format": 1, "configs": ["gtao", "mobile"], "scenes": ["corner", "plane"], )" +
+           keys + R"("checks": [)" + checks + "]}";
 }
 
 std::vector<std::string> namesOf(const Matrix& matrix)
@@ -73,14 +73,16 @@ TEST_CASE("What is wrong in a matrix file is told with its place and a way out")
         {withChecks("", R"({"same": {"max": 0}})"), Code::missing_key, "{\"max\""},
         {withChecks("", R"({"same": {"as": {"config": ["gtao", "mobile"]}}})"), Code::bad_length,
          "{\"config\""},
-        {withChecks("", R"({"time": {"over": {"config": "gtao"}}})"), Code::missing_key, "{\"over\""},
+        {withChecks("", R"({"time": {"over": {"config": "gtao"}}})"), Code::missing_key,
+         "{\"over\""},
         {withChecks("", R"({"range": [1, 0]})"), Code::bad_range, "[1, 0]"},
         {withChecks("", R"({"open": {"share": 0}})"), Code::missing_key, "{\"share\""},
         {withChecks("", R"({"same": {"as": {"scene": "plane"}}, "where": {"scene": "plane"}})"),
          Code::unused_name, "\"same\""},
         {withChecks("", R"({"finite": true, "where": {"scene": "plane"}})"), Code::unused_name,
          "\"gtao\""},
-        {withChecks(R"("cameras": ["eye=1,1,1", "eye=1;1;1"], )"), Code::name_collision, "\"gtao\""},
+        {withChecks(R"("cameras": ["eye=1,1,1", "eye=1;1;1"], )"), Code::name_collision,
+         "\"gtao\""},
     };
     for (const auto& [text, code, at] : cases) {
         INFO(text);
@@ -93,11 +95,12 @@ TEST_CASE("What is wrong in a matrix file is told with its place and a way out")
         CHECK(startsWith(text.substr(error.place.column - 1), at));
         CHECK(!error.help.empty());
     }
-    CHECK(read(R"({"formt": 1, "config": [], "scenes": ["corne"]})").diagnostics().size() == 6);
+    CHECK(read(R"({"formt": 1, "config": [], "scenes": ["corne"]})").diagnostics().size() == 5);
     CHECK(readMatrix("nowhere.json").diagnostics()[0].code == Code::module_missing);
 }
 
-TEST_CASE("Configs, scenes and outputs are found before anything is drawn, or told with their place")
+TEST_CASE(
+    "Configs, scenes and outputs are found before anything is drawn, or told with their place")
 {
     const struct {
         std::string text;
@@ -128,10 +131,10 @@ TEST_CASE("Cells are all combinations, those that are listed, and without those 
 {
     const std::string axes = R"("params": {"radius": [0.5, 1]}, )";
     CHECK(namesOf(need(read(withChecks(axes)))) ==
-          std::vector<std::string>{
-              "gtao, corner, radius=0.5", "gtao, corner, radius=1", "mobile, corner, radius=0.5",
-              "mobile, corner, radius=1", "gtao, plane, radius=0.5", "gtao, plane, radius=1",
-              "mobile, plane, radius=0.5", "mobile, plane, radius=1"});
+          std::vector<std::string>{"gtao, corner, radius=0.5", "gtao, corner, radius=1",
+                                   "mobile, corner, radius=0.5", "mobile, corner, radius=1",
+                                   "gtao, plane, radius=0.5", "gtao, plane, radius=1",
+                                   "mobile, plane, radius=0.5", "mobile, plane, radius=1"});
     CHECK(namesOf(need(read(withChecks(R"("cells": [{"config": "gtao", "scene": "plane"}], )")))) ==
           std::vector<std::string>{"gtao, plane"});
     CHECK(namesOf(need(read(withChecks(R"("except": [{"config": "gtao"}], )")))) ==
