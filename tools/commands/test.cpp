@@ -127,9 +127,9 @@ int test(TestOptions& options)
 {
     if (const Status shard = readShard(options.shard, options.matrix); !shard)
         return report(shard.diagnostics(), options.json);
-    const Result<Matrix> matrix = readMatrix(options.file);
-    if (!matrix) return report(matrix.diagnostics(), options.json);
     const CheckoutSources sources(options.matrix.checkout, options.matrix.roots);
+    const Result<Matrix> matrix = readMatrix(options.file, sources);
+    if (!matrix) return report(matrix.diagnostics(), options.json);
     const Result<MatrixPlan> plan = planMatrix(*matrix, options.matrix, sources);
     if (!plan) return report(plan.diagnostics(), options.json);
     report(plan->warnings, false);

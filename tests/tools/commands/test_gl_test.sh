@@ -36,11 +36,11 @@ expect 5 '^failed: gtao, spheres: approved ao: [0-9.]+ % of pixels are off by mo
     --effects edited --out changed
 check "no other config fails" bash -c '! grep -q "failed: learnopengl" stdout.txt'
 check "the page names the cell and has its pictures" bash -c 'grep -q "\"difference\":\"pictures/gtao-spheres" changed/index.html'
-for name in got wanted difference; do
-    check "there is the picture: $name" test -s "changed/pictures/gtao-spheres.1.$name.png"
+for name in 1.wanted 1.difference; do
+    check "there is the picture: $name" test -s "changed/pictures/gtao-spheres.ao.$name.png"
 done
 expect 0 'changed: gtao, spheres: approved ao: ' test matrix.json --effects edited --approve --filter gtao --out before_after
-check "the page of before and after has both" test -s before_after/pictures/gtao-spheres.1.wanted.png
+check "the page of before and after has both" test -s before_after/pictures/gtao-spheres.ao.1.wanted.png
 expect 5 'failed: gtao, spheres: ' test matrix.json
 expect 0 'changed: gtao, spheres' test matrix.json --approve
 touch approved/gone.ao.png

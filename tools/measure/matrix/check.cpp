@@ -327,23 +327,26 @@ Status CellChecker::judgeProperty(const MatrixCell& cell, const MatrixCheck& che
     return keepPictures(cell, &got, nullptr, result);
 }
 
-/// Of what passed only the picture, once for an output; of all else what it is compared with.
+/// The picture, once for an output, and of what did not pass what it is compared with.
 Status CellChecker::keepPictures(const MatrixCell& cell, const Image* got, const Image* wanted,
                                  CheckResult& result)
 {
     const bool passed = result.state == "passed" || result.state == "unchanged";
-    const std::string base = "pictures/" + cell.file + "." + std::to_string(result.check + 1) + ".";
-    const auto keep = [&](const char* name, const Image& image, std::string& file) {
-        file = base + name + ".png";
+    const MatrixCheck& check = plan_.matrix.checks[result.check];
+    const std::string base = "pictures/" + cell.file + "." + check.output + ".";
+    const auto keep = [&](const std::string& name, const Image& image, std::string& file) {
+        file = base + name + "png";
+        if (!kept_.insert(file).second) return Status();
         return writeImage(options_.out_folder + "/" + file, image);
     };
-    if (const Status kept = keep("got", *got, result.got); !kept || passed || !wanted) return kept;
+    if (const Status kept = keep("", *got, result.got); !kept || passed || !wanted) return kept;
+    const std::string number = std::to_string(result.check + 1) + ".";
     Image shown = *wanted;
     for (float& value : shown.pixels)
         if (std::isnan(value)) value = 1;  // the background of a ground truth
-    if (const Status kept = keep("wanted", shown, result.wanted); !kept) return kept;
+    if (const Status kept = keep(number + "wanted.", shown, result.wanted); !kept) return kept;
     const Result<Image> difference = differencePicture(*got, *wanted);
-    return difference ? keep("difference", *difference, result.difference) : Status();
+    return difference ? keep(number + "difference.", *difference, result.difference) : Status();
 }
 
 }  // namespace crevice

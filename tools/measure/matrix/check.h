@@ -42,6 +42,7 @@ private:
     const MatrixPlan& plan_;
     const CheckOptions options_;
     MatrixStage stage_;
+    std::set<std::string> kept_;                 ///< Pictures that are written.
     std::map<std::string, std::size_t> owners_;  ///< The cell that approves a file: its first.
 };
 

@@ -92,13 +92,13 @@ struct Matrix {
     }
 };
 
-/// Reads a matrix file and lays out its cells.
+/// Reads a matrix file and lays out its cells; "all" configs are those of `sources`.
 ///
 /// Errors, each with its place and as many as there are: those of parseDocument; CV1201 for a file
 /// that is not there; CV1207 for `format`; CV2102 for an axis or value that is not there; CV3001 to
 /// CV3006 for keys and types; CV4001 and CV4005 for values; CV2108 for a check without a cell or a
 /// cell without a check; CV2107 for cells whose files would have one name.
-Result<Matrix> readMatrix(const std::string& file);
+Result<Matrix> readMatrix(const std::string& file, const SourceSet& sources);
 
 /// Lays out `cells` of a matrix that has all else. Errors: as above.
 Diagnostics layOutCells(Matrix& matrix);

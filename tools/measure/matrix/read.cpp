@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// From a matrix file to a Matrix.
-#include "tools/measure/matrix/matrix.h"
+// From a matrix file to a Matrix: axes, and which combinations there are.
+#include "tools/measure/matrix/read_json.h"
 
 #include "core/base/text.h"
-#include "tools/commands/cli/config_options.h"
-#include "tools/measure/reference/tracer.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/options.h"
 
-#include <cmath>
+#include <crevice/config.h>
+
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -27,79 +26,6 @@ constexpr struct AxisKey {
     {"scenes", "scene", nullptr},   {"cameras", "camera", ""},   {"sizes", "size", "320x180"},
     {"backends", "backend", "egl"}};
 
-constexpr double kNoLimit = INFINITY;
-
-struct NumberKey {
-    const char* name;
-    double least, most;
-    double value;  ///< Without it: NaN where it must be there, kNoLimit where nothing is then set.
-};
-
-/// The kinds of checks by CheckKind, and what stands in each.
-const struct KindKey {
-    const char* name;
-    enum Shape { object, yes, number, pair } shape;
-    std::vector<NumberKey> numbers;
-    const char* other;  ///< The key that names another cell; null for none.
-    const char* help;
-} kKinds[] = {
-    {"approved",
-     KindKey::object,
-     {{"max", 0, 1, kNoLimit}, {"share", 0, 1, 0}, {"flip", 0, 1, kNoLimit}},
-     nullptr,
-     "write {\"approved\": {\"max\": 0.01, \"share\": 0.001}} or {\"approved\": {\"flip\": 0.02}}"},
-    {"truth",
-     KindKey::object,
-     {{"rmse", 0, 1, kNoLimit}, {"bias", 0, 1, kNoLimit}, {"rays", 1, kMaxTraceRays, 64}},
-     nullptr,
-     "write {\"truth\": {\"rmse\": 0.08, \"bias\": 0.02}}"},
-    {"same",
-     KindKey::object,
-     {{"max", 0, 1, 0}, {"share", 0, 1, 0}},
-     "as",
-     "write {\"same\": {\"as\": {\"backend\": \"egl\"}, \"max\": 0.01}}"},
-    {"plan", KindKey::yes, {}, nullptr, "write {\"plan\": true}"},
-    {"time",
-     KindKey::object,
-     {{"most", 0, 1e6, NAN}},
-     "over",
-     "write {\"time\": {\"over\": {\"config\": \"learnopengl\"}, \"most\": 1.5}}"},
-    {"finite", KindKey::yes, {}, nullptr, "write {\"finite\": true}"},
-    {"range",
-     KindKey::pair,
-     {{"low", -1e30, 1e30, NAN}, {"high", -1e30, 1e30, NAN}},
-     nullptr,
-     "write {\"range\": [0, 1]}"},
-    {"background",
-     KindKey::number,
-     {{"value", -1e30, 1e30, NAN}},
-     nullptr,
-     "write {\"background\": 1}"},
-    {"open",
-     KindKey::object,
-     {{"least", 0, 1, NAN}, {"share", 0, 1, 0}, {"rays", 1, kMaxTraceRays, 64}},
-     nullptr,
-     "write {\"open\": {\"least\": 0.9, \"share\": 0.01}}"}};
-
-std::vector<std::string> kindNames()
-{
-    return namesOf(std::vector<KindKey>(std::begin(kKinds), std::end(kKinds)));
-}
-
-std::vector<std::string> keysOf(const KindKey& kind)
-{
-    std::vector<std::string> keys = namesOf(kind.numbers);
-    if (kind.other) keys.insert(keys.begin(), kind.other);
-    return keys;
-}
-
-std::vector<std::string> checkKeys()
-{
-    std::vector<std::string> keys = kindNames();
-    keys.insert(keys.end(), {"where", "output"});
-    return keys;
-}
-
 std::vector<std::string> topKeys()
 {
     std::vector<std::string> keys = {
@@ -109,9 +35,11 @@ std::vector<std::string> topKeys()
     return keys;
 }
 
-class MatrixReader {
+class MatrixReader : public MatrixJson {
 public:
-    explicit MatrixReader(const std::string& file) : folder_(fs::path(file).parent_path())
+    MatrixReader(const std::string& file, const SourceSet& sources)
+        : folder_(fs::path(file).parent_path()),
+          sources_(sources)
     {
         matrix.file = file;
         matrix.approved_folder = besideFile("approved");
@@ -127,49 +55,10 @@ public:
         readApproved(document);
         if (hasErrors(errors)) return;  // the rest names axes and values
         readCombination(document);
-        readChecks(document);
+        readChecks(*this, document);
     }
-
-    Matrix matrix;
-    Diagnostics errors;
 
 private:
-    using Kind = Node::Kind;
-
-    void fail(const Place& place, Code code, std::string message, std::string help)
-    {
-        errors.push_back({code, std::move(message), std::move(help), place});
-    }
-
-    void wrongType(const Node& node, const std::string& what, const std::string& wanted,
-                   const std::string& help)
-    {
-        fail(node.place, Code::wrong_type, what + ": found " + brief(node) + ", wanted " + wanted,
-             help);
-    }
-
-    void onlyKeys(const Node& object, const std::vector<std::string>& keys, const std::string& of)
-    {
-        for (const Member& member : object.members)
-            if (!contains(keys, member.key))
-                fail(member.key_place, Code::unknown_key, "'" + member.key + "' is no key of " + of,
-                     suggestName(member.key, keys, "keys"));
-    }
-
-    /// The member of that kind; null, with an error where there is one of another.
-    const Node* ofKind(const Node& object, const std::string& key, Kind kind)
-    {
-        const Node* node = object.find(key);
-        if (!node || node->kind == kind) return node;
-        const char* const example = kind == Kind::object    ? "{...}"
-                                    : kind == Kind::array   ? "[...]"
-                                    : kind == Kind::boolean ? "true"
-                                                            : "\"...\"";
-        wrongType(*node, "'" + key + "'", std::string("the kind ") + kindName(kind),
-                  "write \"" + key + "\": " + example);
-        return nullptr;
-    }
-
     std::string besideFile(const std::string& path) const
     {
         return fs::path(path).is_absolute() || folder_.empty() ? path : (folder_ / path).string();
@@ -205,12 +94,16 @@ private:
     void readValues(const Node& values, const AxisKey& key, MatrixAxis& axis)
     {
         const bool sets = std::string_view(key.key) == "sets";
+        const bool all = std::string_view(key.key) == "configs" && values.text == "all";
+        if (all)
+            for (const std::string& name : configNames(sources_))
+                axis.values.push_back({name, name, {}, values.place});
         if (values.kind == Kind::array && !sets) {
             for (const Node& item : values.items) addValue(item.text, item, item.place, key, axis);
         } else if (values.kind == Kind::object) {
             for (const Member& member : values.members)
                 addValue(member.key, member.value, member.key_place, key, axis);
-        } else {
+        } else if (!all) {
             return wrongType(values, std::string("'") + key.key + "'",
                              sets ? "an object of lists" : "a list or an object of texts",
                              sets ? "write \"sets\": {\"wide\": [\"radius=1\"]}"
@@ -327,180 +220,20 @@ private:
         for (const Node& item : node->items) list.push_back(readWhere(item, key));
     }
 
-    MatrixWhere readWhere(const Node& node, const std::string& key)
-    {
-        MatrixWhere where;
-        if (node.kind != Kind::object || node.members.empty()) {
-            wrongType(node, "'" + key + "'", "an object of axes and values",
-                      "write {\"config\": \"gtao\", \"scene\": [\"room\", \"street\"]}");
-            return where;
-        }
-        for (const Member& member : node.members) {
-            const int axis = indexOf(matrix.axes, member.key);
-            if (axis < 0) {
-                fail(member.key_place, Code::reference_missing,
-                     "there is no axis '" + member.key + "'",
-                     suggestName(member.key, namesOf(matrix.axes), "axes"));
-                continue;
-            }
-            std::set<std::size_t>& values = where[axis];
-            if (member.value.kind != Kind::array) addNamed(member.value, axis, values);
-            for (const Node& item : member.value.items) addNamed(item, axis, values);
-        }
-        return where;
-    }
-
-    void addNamed(const Node& node, int axis, std::set<std::size_t>& values)
-    {
-        const std::vector<MatrixValue>& known = matrix.axes[axis].values;
-        const std::string name = node.kind == Kind::string ? node.text : toJson(node);
-        const int value = indexOf(known, name);
-        if (value >= 0)
-            values.insert(value);
-        else
-            fail(node.place, Code::reference_missing,
-                 "the axis '" + matrix.axes[axis].name + "' has no value '" + name + "'",
-                 suggestName(name, namesOf(known), "values"));
-    }
-
-    // --- checks ---
-
-    void readChecks(const Node& document)
-    {
-        const Node* checks = ofKind(document, "checks", Kind::array);
-        if (!document.find("checks") || (checks && checks->items.empty()))
-            fail(checks ? checks->place : document.place, Code::missing_key,
-                 "the matrix file has no 'checks'", "write \"checks\": [{\"finite\": true}]");
-        if (!checks) return;
-        for (const Node& item : checks->items) readCheck(item);
-    }
-
-    void readCheck(const Node& node)
-    {
-        if (node.kind != Kind::object)
-            return wrongType(node, "a check", "an object", "write {\"finite\": true}");
-        onlyKeys(node, checkKeys(), "a check");
-        const Member* kind = nullptr;
-        int kinds = 0;
-        for (const Member& member : node.members)
-            if (contains(kindNames(), member.key)) kind = &member, ++kinds;
-        if (kinds != 1)
-            return fail(node.place, kinds ? Code::name_collision : Code::missing_key,
-                        kinds ? "a check has two kinds" : "a check has no kind",
-                        "give it one of " + joined(kindNames()));
-        MatrixCheck check;
-        check.place = kind->key_place;
-        check.text = toJson(node);
-        check.kind = static_cast<CheckKind>(
-            std::find_if(std::begin(kKinds), std::end(kKinds),
-                         [&](const KindKey& each) { return each.name == kind->key; }) -
-            kKinds);
-        if (const Node* output = ofKind(node, "output", Kind::string)) check.output = output->text;
-        if (node.find("output") && check.kind == CheckKind::plan)
-            check.text += check.output;
-        else if (check.kind == CheckKind::plan)
-            check.output.clear();
-        if (const Node* where = node.find("where")) check.where = readWhere(*where, "where");
-        readKind(kind->value, kKinds[static_cast<int>(check.kind)], check);
-        matrix.checks.push_back(std::move(check));
-    }
-
-    void readKind(const Node& node, const KindKey& kind, MatrixCheck& check)
-    {
-        const std::string what = std::string("'") + kind.name + "'";
-        switch (kind.shape) {
-        case KindKey::yes:
-            if (!node.boolean) wrongType(node, what, "true", kind.help);
-            return;
-        case KindKey::number: return readNumber(node, kind, kind.numbers[0], check);
-        case KindKey::pair:
-            if (node.kind != Kind::array || node.items.size() != 2)
-                return wrongType(node, what, "a list of two numbers", kind.help);
-            for (std::size_t i = 0; i < 2; ++i)
-                readNumber(node.items[i], kind, kind.numbers[i], check);
-            if (check.has("low") && check.has("high") && !(check["low"] <= check["high"]))
-                fail(node.place, Code::bad_range, "the range's low is above its high", kind.help);
-            return;
-        case KindKey::object:
-            if (node.kind != Kind::object) return wrongType(node, what, "an object", kind.help);
-            readObject(node, kind, check);
-        }
-    }
-
-    void readObject(const Node& node, const KindKey& kind, MatrixCheck& check)
-    {
-        onlyKeys(node, keysOf(kind), std::string("'") + kind.name + "'");
-        bool limits = false, limited = false;  // could have limits that may be left out; has one
-        for (const NumberKey& key : kind.numbers) {
-            const Node* number = node.find(key.name);
-            limits |= key.value == kNoLimit;
-            limited |= number && key.value == kNoLimit;
-            if (number)
-                readNumber(*number, kind, key, check);
-            else if (std::isnan(key.value))
-                fail(node.place, Code::missing_key,
-                     std::string("'") + kind.name + "' has no '" + key.name + "'", kind.help);
-            else if (key.value != kNoLimit)
-                check.numbers[key.name] = key.value;
-        }
-        if (limits && !limited)
-            fail(node.place, Code::missing_key, std::string("'") + kind.name + "' sets no limit",
-                 kind.help);
-        if (kind.other) readOther(node, kind, check);
-    }
-
-    void readNumber(const Node& node, const KindKey& kind, const NumberKey& key, MatrixCheck& check)
-    {
-        const std::string what = std::string("'") + kind.name + "' " + key.name;
-        if (node.kind != Kind::number) return wrongType(node, what, "a number", kind.help);
-        if (!(node.number >= key.least && node.number <= key.most))
-            fail(node.place, Code::out_of_range,
-                 what + " " + brief(node) + " is outside [" + shortest(key.least) + ", " +
-                     shortest(key.most) + "]",
-                 kind.help);
-        check.numbers[key.name] = node.number;
-    }
-
-    void readOther(const Node& node, const KindKey& kind, MatrixCheck& check)
-    {
-        const Node* other = node.find(kind.other);
-        if (!other)
-            return fail(node.place, Code::missing_key,
-                        std::string("'") + kind.name + "' has no '" + kind.other + "'", kind.help);
-        check.other = readWhere(*other, kind.other);
-        if (anyOf(check.other, [](const auto& each) { return each.second.size() > 1; }))
-            fail(other->place, Code::bad_length,
-                 std::string("'") + kind.other + "' names several values of one axis",
-                 "name one cell");
-        const bool resized = check.other.count(kSizeAxis) > 0;
-        if (resized && check.kind == CheckKind::same)
-            fail(other->place, Code::reference_missing, "pictures of two sizes cannot be the same",
-                 "compare cells of one size");
-    }
-
     const fs::path folder_;
+    const SourceSet& sources_;
 };
 
 }  // namespace
 
-std::string MatrixCheck::title() const
-{
-    const std::string name = kKinds[static_cast<int>(kind)].name;
-    return output.empty() ? name : name + " " + output;
-}
-
 std::vector<MatrixKey> matrixKeys()
 {
-    std::vector<MatrixKey> all;
+    std::vector<MatrixKey> all = checkKeys();
     for (const std::string& key : topKeys()) all.push_back({"", key});
-    for (const std::string& key : checkKeys()) all.push_back({"checks", key});
-    for (const KindKey& kind : kKinds)
-        if (kind.shape == KindKey::object)
-            for (const std::string& key : keysOf(kind)) all.push_back({kind.name, key});
     return all;
 }
 
-Result<Matrix> readMatrix(const std::string& file)
+Result<Matrix> readMatrix(const std::string& file, const SourceSet& sources)
 {
     const SourceRef source = readFile(file);
     if (!source)
@@ -508,7 +241,7 @@ Result<Matrix> readMatrix(const std::string& file)
                           "write crevice test FILE.json; docs/reference/matrix.md has an example"};
     const Result<Node> document = parseDocument(source);
     if (!document) return document.diagnostics();
-    MatrixReader reader(file);
+    MatrixReader reader(file, sources);
     reader.readAll(*document);
     if (!hasErrors(reader.errors)) reader.errors = layOutCells(reader.matrix);
     cutShort(reader.errors);

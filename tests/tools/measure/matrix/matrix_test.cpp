@@ -19,7 +19,7 @@ namespace {
 Result<Matrix> read(const std::string& text)
 {
     static const TemporaryFolder folder("matrix");
-    return readMatrix(folder.write("matrix.json", text));
+    return readMatrix(folder.write("matrix.json", text), shippedSources());
 }
 
 /// One line, so that columns count from its beginning.
@@ -70,6 +70,7 @@ TEST_CASE("What is wrong in a matrix file is told with its place and a way out")
         {withChecks("", R"({"approved": {"share": 0.1}})"), Code::missing_key, "{\"share\""},
         {withChecks("", R"({"approved": {"max": 2}})"), Code::out_of_range, "2}"},
         {withChecks("", R"({"truth": {"rsme": 0.1}})"), Code::unknown_key, "\"rsme\""},
+        {withChecks("", R"({"truth": {"rmse": 0.1, "rays": 1.5}})"), Code::wrong_type, "1.5"},
         {withChecks("", R"({"same": {"max": 0}})"), Code::missing_key, "{\"max\""},
         {withChecks("", R"({"same": {"as": {"config": ["gtao", "mobile"]}}})"), Code::bad_length,
          "{\"config\""},
@@ -96,7 +97,8 @@ TEST_CASE("What is wrong in a matrix file is told with its place and a way out")
         CHECK(!error.help.empty());
     }
     CHECK(read(R"({"formt": 1, "config": [], "scenes": ["corne"]})").diagnostics().size() == 5);
-    CHECK(readMatrix("nowhere.json").diagnostics()[0].code == Code::module_missing);
+    CHECK(readMatrix("nowhere.json", shippedSources()).diagnostics()[0].code ==
+          Code::module_missing);
 }
 
 TEST_CASE(
@@ -137,6 +139,11 @@ TEST_CASE("Cells are all combinations, those that are listed, and without those 
                                    "mobile, plane, radius=0.5", "mobile, plane, radius=1"});
     CHECK(namesOf(need(read(withChecks(R"("cells": [{"config": "gtao", "scene": "plane"}], )")))) ==
           std::vector<std::string>{"gtao, plane"});
+    CHECK(
+        need(
+            read(
+                R"({"format": 1, "configs": "all", "scenes": ["plane"], "checks": [{"finite": true}]})"))
+            .cells.size() == configNames(shippedSources()).size());
     CHECK(namesOf(need(read(withChecks(R"("except": [{"config": "gtao"}], )")))) ==
           std::vector<std::string>{"mobile, corner", "mobile, plane"});
 }
