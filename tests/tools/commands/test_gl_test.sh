@@ -39,12 +39,31 @@ check "the page names the cell and has its pictures" bash -c 'grep -q "\"differe
 for name in 1.wanted 1.difference; do
     check "there is the picture: $name" test -s "changed/pictures/gtao-spheres.ao.$name.png"
 done
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+if [[ -n $browser ]]; then  # the page in a browser: what failed is chosen, and its slider moves the line
+    cat >>changed/index.html <<'HTML'
+<script>
+const slider = document.querySelector('input[type="range"]');
+slider.value = 20;
+slider.dispatchEvent(new Event("input"));
+document.title = document.querySelectorAll("section").length + " cells, " +
+  document.querySelector(".wipe").style.getPropertyValue("--at");
+document.querySelector('input[type="checkbox"]').click();
+document.title += ", " + document.querySelectorAll("section").length + " in all";
+</script>
+HTML
+    timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$work/profile" \
+        --virtual-time-budget=3000 --dump-dom "file://$work/changed/index.html" >dom.html 2>browser.log || cat browser.log
+    check "the page in a browser" grep -q '<title>1 cells, 20%, 4 in all</title>' dom.html
+elif [[ -n ${CREVICE_REQUIRE_BROWSER:-} ]]; then
+    check "there is a browser" false
+fi
 expect 0 'changed: gtao, spheres: approved ao: ' test matrix.json --effects edited --approve --filter gtao --out before_after
 check "the page of before and after has both" test -s before_after/pictures/gtao-spheres.ao.1.wanted.png
 expect 5 'failed: gtao, spheres: ' test matrix.json
 expect 0 'changed: gtao, spheres' test matrix.json --approve
 touch approved/gone.ao.png
-expect 0 "CV2108: no cell has the approved file 'approved/gone.ao.png'" test matrix.json
+expect 0 "CV2108: no cell has these approved files: gone.ao.png" test matrix.json
 rm approved/gone.ao.png
 sed -i 's/32f/16f/' approved/gtao-corner.plan.txt; echo edited >>approved/gtao-corner.plan.txt
 expect 5 "gtao, corner: plan: line [0-9]+ is '" test matrix.json

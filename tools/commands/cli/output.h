@@ -17,9 +17,9 @@ enum ExitCode {
     kExitMachine = 3,   ///< The machine lacks something: no context, no float target, no memory.
     kExitOutput = 4,    ///< A result cannot be written.
     /// `compare`, `compare-bench`, `cost`: over a limit; `doctor`: a pass is wrong; `stress`: a
-    /// step is worse than known.
+    /// step is worse than known; `test`: a check failed.
     kExitDiffers = 5,
-    kExitInterrupted = 130,  ///< `bench`: stopped by SIGINT or SIGTERM; can go on.
+    kExitInterrupted = 130,  ///< `bench`, `test`: stopped by SIGINT or SIGTERM; can go on.
 };
 
 /// The exit code that stands for the first error; kExitOk when there are only warnings.

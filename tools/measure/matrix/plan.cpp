@@ -224,15 +224,16 @@ Diagnostics unusedApproved(const Matrix& matrix)
         for (const std::size_t i : cell.checks)
             if (matrix.checks[i].isApproved())
                 used.insert(approvedFile(matrix, cell, matrix.checks[i]));
-    Diagnostics warnings;
-    for (const std::string& name :
-         filesBelow(matrix.approved_folder, {".png", ".pfm", ".plan.txt"}, 0))
-        if (used.count(matrix.approved_folder + "/" + name) == 0)
-            warnings.push_back(asWarning(
-                {Code::unused_name,
-                 "no cell has the approved file '" + matrix.approved_folder + "/" + name + "'",
-                 "delete it"}));
-    return warnings;
+    std::vector<std::string> files =
+        filesBelow(matrix.approved_folder, {".png", ".pfm", ".plan.txt"}, 0);
+    eraseIf(files, [&](const std::string& name) {
+        return used.count(matrix.approved_folder + "/" + name) > 0;
+    });
+    if (files.empty()) return {};
+    std::sort(files.begin(), files.end());
+    Diagnostic warning{Code::unused_name, "no cell has these approved files: " + joined(files),
+                       "delete them from '" + matrix.approved_folder + "'"};
+    return {asWarning(std::move(warning))};
 }
 
 }  // namespace crevice

@@ -72,7 +72,7 @@ std::string keyOf(const MatrixPlan& plan, const MatrixCell& cell, const std::str
 Result<MatrixPlan> planMatrix(const Matrix& matrix, const MatrixOptions& options,
                               const SourceSet& sources);
 
-/// A warning for each approved file of this folder that no cell of the matrix has.
+/// A warning that names approved files of the folder that no cell of the matrix has.
 Diagnostics unusedApproved(const Matrix& matrix);
 
 }  // namespace crevice
