@@ -106,6 +106,28 @@ check "truth is missed without AO" grep -q '^failed: gtao, corner, intensity=0: 
 check "a time is held against its limit" grep -q '^failed: gtao, corner, intensity=0: time ao: takes' stdout.txt
 check "nothing else fails" test "$(grep -c '^failed' stdout.txt)" -eq 3
 
+# --- each property can fail, of a config that writes NaN where its occlusion is not 1 ---
+cat >nan.frag <<'GLSL'
+#version 300 es
+precision highp float;
+uniform highp sampler2D ao;
+in vec2 uv;
+layout(location = 0) out float ao_filtered;
+void main() { ao_filtered = sqrt(texture(ao, uv).r - 1.0) + 0.5; }
+GLSL
+cat >nan.json <<'JSON'
+{
+  "format": 1, "name": "nan", "description": "Writes NaN.", "extends": ["geometry/depth_normal", "ssao/gtao"],
+  "targets": {"ao_filtered": {"format": ["r32f", "r16f"]}},
+  "shaders": {"spoil": {"vertex": "common/fullscreen.vert", "fragment": "./nan.frag"}},
+  "passes": {"spoil": {"type": "fullscreen", "shader": "spoil", "color": ["ao_filtered"]}}, "outputs": {"ao": "ao_filtered"}
+}
+JSON
+echo '{"format": 1, "configs": ["nan.json"], "scenes": ["spheres"], "sizes": ["96x64"], "checks": [{"finite": true},
+    {"range": [0, 1]}, {"background": 1}, {"open": {"least": 0.6, "rays": 16}}, {"approved": {"max": 1, "share": 1}}]}' >nan_matrix.json
+"$crevice" test nan_matrix.json --approve >/dev/null 2>&1
+expect 5 '^1 cells; checks: 5 failed' test nan_matrix.json --no-cache
+
 # --- mistakes in the file end before anything is drawn ---
 sed 's/"where"/"were"/; s/"gtao"/"gtoa"/' compared.json >wrong.json
 expect 1 "wrong.json:[0-9]+:[0-9]+: error CV3001: 'were' is no key of a check" test wrong.json --out never
