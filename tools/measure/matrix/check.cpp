@@ -57,11 +57,6 @@ long long countNonFinite(const Image& image)
                          [](float value) { return !std::isfinite(value); });
 }
 
-std::string flipText(double flip, double most)
-{
-    return "FLIP is " + significant(flip, 4) + ", at most " + shortest(most);
-}
-
 /// By `max` and `share`, or by `flip`.
 Status judgeDifference(const MatrixCheck& check, const Image& got, const Image& wanted,
                        CheckResult& result)
@@ -85,7 +80,7 @@ Status judgeDifference(const MatrixCheck& check, const Image& got, const Image& 
     if (check.has("flip")) {
         const double flip = meanFlip(got, wanted);
         passed &= flip <= check["flip"];
-        texts.push_back(flipText(flip, check["flip"]));
+        texts.push_back("FLIP is " + significant(flip, 4) + ", at most " + shortest(check["flip"]));
     }
     judged(passed, joined(texts, "; "), result);
     return {};
@@ -244,7 +239,7 @@ Status CellChecker::judgeApproved(const MatrixCell& cell, const MatrixCheck& che
         if (!same)
             if (const Status written = writeImage(file, got); !written) return written;
     }
-    return keepPictures(cell, &got, there ? &wanted : nullptr, result);
+    return keepPictures(cell, got, there ? &wanted : nullptr, result);
 }
 
 Status CellChecker::judgeSame(const MatrixCell& cell, const MatrixCheck& check, const Image& got,
@@ -257,7 +252,7 @@ Status CellChecker::judgeSame(const MatrixCell& cell, const MatrixCheck& check, 
         return compared;
     result.text =
         "as '" + cellName(plan_.matrix, otherChoice(check, cell.choice)) + "': " + result.text;
-    return keepPictures(cell, &got, &wanted, result);
+    return keepPictures(cell, got, &wanted, result);
 }
 
 Status CellChecker::judgeTruth(const MatrixCell& cell, const MatrixCheck& check, const Image& got,
@@ -278,7 +273,7 @@ Status CellChecker::judgeTruth(const MatrixCell& cell, const MatrixCheck& check,
                         shortest(check[name]));
     }
     judged(passed, joined(texts, "; "), result);
-    return keepPictures(cell, &got, &*truth, result);
+    return keepPictures(cell, got, &*truth, result);
 }
 
 Status CellChecker::judgeProperty(const MatrixCell& cell, const MatrixCheck& check,
@@ -324,11 +319,11 @@ Status CellChecker::judgeProperty(const MatrixCell& cell, const MatrixCheck& che
                 pixelsText(bad, count) + " without a surface are not " + shortest(check["value"]),
                 result);
     }
-    return keepPictures(cell, &got, nullptr, result);
+    return keepPictures(cell, got, nullptr, result);
 }
 
 /// The picture, once for an output, and of what did not pass what it is compared with.
-Status CellChecker::keepPictures(const MatrixCell& cell, const Image* got, const Image* wanted,
+Status CellChecker::keepPictures(const MatrixCell& cell, const Image& got, const Image* wanted,
                                  CheckResult& result)
 {
     const bool passed = result.state == "passed" || result.state == "unchanged";
@@ -339,13 +334,13 @@ Status CellChecker::keepPictures(const MatrixCell& cell, const Image* got, const
         if (!kept_.insert(file).second) return Status();
         return writeImage(options_.out_folder + "/" + file, image);
     };
-    if (const Status kept = keep("", *got, result.got); !kept || passed || !wanted) return kept;
+    if (const Status kept = keep("", got, result.got); !kept || passed || !wanted) return kept;
     const std::string number = std::to_string(result.check + 1) + ".";
     Image shown = *wanted;
     for (float& value : shown.pixels)
         if (std::isnan(value)) value = 1;  // the background of a ground truth
     if (const Status kept = keep(number + "wanted.", shown, result.wanted); !kept) return kept;
-    const Result<Image> difference = differencePicture(*got, *wanted);
+    const Result<Image> difference = differencePicture(got, *wanted);
     return difference ? keep(number + "difference.", *difference, result.difference) : Status();
 }
 

@@ -36,7 +36,7 @@ private:
                       CheckResult& result);
     Status judgeProperty(const MatrixCell& cell, const MatrixCheck& check, const Image& got,
                          CheckResult& result);
-    Status keepPictures(const MatrixCell& cell, const Image* got, const Image* wanted,
+    Status keepPictures(const MatrixCell& cell, const Image& got, const Image* wanted,
                         CheckResult& result);
 
     const MatrixPlan& plan_;

@@ -9,7 +9,8 @@
 #include "tools/render/scene/options.h"
 #include "tools/render/scene/scene_bytes.h"
 
-#include <filesystem>
+#include <algorithm>
+#include <functional>
 
 namespace crevice {
 namespace {
