@@ -1,35 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The renderer: keeps a description's plan in step with params, size and scene, and runs it.
-#include <crevice/renderer.h>
-
-#include "core/compile/depth_precision.h"
-#include "core/config/values.h"
-#include "core/run/execution.h"
-
-#include <cmath>
+#include "core/renderer/state.h"
 
 namespace crevice {
 namespace {
-
-/// Whether a plan made with the param's value `now` does not hold for `next`.
-bool changesPlan(const Description& description, const ParamDesc& param,
-                 const std::array<float, 4>& now, const std::array<float, 4>& next)
-{
-    if (param.bind == Bind::define) return true;
-    for (const GeneratedDesc& generated : description.generated)
-        if (generated.count_param.name == param.name) return true;
-    for (const TargetDesc& target : description.targets)
-        if (target.size.scale_param.name == param.name || target.samples_param.name == param.name)
-            return true;
-    for (const PassDesc& pass : description.passes) {
-        if (pass.frustum_scale_param.name == param.name) return true;
-        for (const NoOpDesc& no_op : pass.no_op)
-            if (no_op.name == param.name &&
-                isAll(now, param.type, no_op.at) != isAll(next, param.type, no_op.at))
-                return true;
-    }
-    return false;
-}
 
 Diagnostic unknown(Code code, const char* what, std::string_view name,
                    std::vector<std::string> names, const char* heading)
@@ -55,124 +29,24 @@ Status withCompiled(const Status& status, const Execution& execution, const std:
 
 }  // namespace
 
-struct Renderer::State {
-    Device* device;
-    Values loaded = {};  ///< Those that the config gave.
-    Description description = {};
-    CompileOptions options = {};
-    SceneTraits traits = {};
-    std::unique_ptr<Execution> execution = nullptr;
-    bool timing = false;
-
-    /// The state of another plan and its objects, made beside those of this one.
-    Result<State> with(Description other, const CompileOptions& with_options,
-                       const SceneTraits& scene) const
-    {
-        Result<Plan> plan = compile(other, scene, device->caps(), with_options);
-        if (!plan) return plan.diagnostics();
-        auto made = Execution::create(*device, std::move(*plan), execution.get());
-        if (!made) return made.diagnostics();
-        if (timing) (void)(*made)->setTiming(true);
-        return {
-            State{device, loaded, std::move(other), with_options, scene, std::move(*made), timing},
-            plan.diagnostics()};
+bool changesPlan(const Description& description, const ParamDesc& param,
+                 const std::array<float, 4>& now, const std::array<float, 4>& next)
+{
+    if (param.bind == Bind::define) return true;
+    for (const GeneratedDesc& generated : description.generated)
+        if (generated.count_param.name == param.name) return true;
+    for (const TargetDesc& target : description.targets)
+        if (target.size.scale_param.name == param.name || target.samples_param.name == param.name)
+            return true;
+    for (const PassDesc& pass : description.passes) {
+        if (pass.frustum_scale_param.name == param.name) return true;
+        for (const NoOpDesc& no_op : pass.no_op)
+            if (no_op.name == param.name &&
+                isAll(now, param.type, no_op.at) != isAll(next, param.type, no_op.at))
+                return true;
     }
-
-    /// Compiles the programs of all levels, so that setting one compiles none. Warns of what fails.
-    Diagnostics prepareLevels()
-    {
-        Diagnostics warnings;
-        for (std::size_t i = 0; i < description.features.size(); ++i) {
-            const FeatureDesc& feature = description.features[i];
-            // The present word too: its values may have been set otherwise since.
-            for (std::size_t word = 0; !feature.sets.empty() && word < feature.values.size();
-                 ++word) {
-                Description level = description;
-                level.features[i].value = static_cast<int>(word);
-                applyLevel(level, feature.name);
-                const Result<Plan> plan = compile(level, traits, device->caps(), options);
-                const Status ready = plan ? execution->prepare(*plan) : plan.diagnostics();
-                for (Diagnostic each : ready ? Diagnostics() : ready.diagnostics()) {
-                    each.message =
-                        feature.name + " '" + feature.values[word] + "': " + each.message;
-                    warnings.push_back(asWarning(std::move(each)));
-                }
-            }
-        }
-        return warnings;
-    }
-
-    /// Whether the plan's formats are those chosen for such a scene. Allocates nothing.
-    bool formatsHold(const SceneTraits& scene) const
-    {
-        const Plan& plan = execution->plan();
-        return allOf(plan.targets, [&](const PlanTarget& target) {
-            const TargetDesc& desc = *findNamed(description.targets, target.name);
-            return chooseFormat(description, desc, scene, device->caps(), options.extent.height) ==
-                   plan.textures[target.texture].format;
-        });
-    }
-
-    /// Gives the plan lengths that are relative to the scene. Whether its formats still hold then.
-    Result<bool> followScale(const SceneTraits& scene)
-    {
-        traits.scale = scene.scale;
-        bool holds = true;
-        for (const ParamDesc& param : description.params) {
-            if (!isRelative(param)) continue;
-            const std::array<float, 4> value = sceneUnits(param, scene, options.extent.height);
-            if (std::isnan(value[0]))
-                return Diagnostic{Code::missing_import,
-                                  param.name + " is relative to what Frame::scale lacks",
-                                  "set it, by Effect::setScale, or give a length in scene units",
-                                  param.place, param.pointer};
-            execution->setParam(param.name, value.data());
-            holds = holds && formatsHold(scene);
-        }
-        return holds;
-    }
-
-    /// Makes this fit the frame, or leaves it where that fails. A new plan's warnings come back.
-    Status prepare(const Frame& frame)
-    {
-        if (Status status = checkFrame(frame); !status) return status;
-        if (options.strict) {
-            Diagnostics errors = warnElided(frame, *device);
-            for (Diagnostic& error : errors) {
-                error.severity = Severity::error;
-                error.message = "the frame cannot be drawn whole: " + error.message;
-            }
-            if (!errors.empty()) return errors;
-        }
-        SceneTraits scene = steadyTraitsOf(frame);
-        const Result<bool> holds = followScale(scene);
-        if (!holds) return holds.diagnostics();
-        if (*holds && scene == traits) return execution->setImports(frame);
-        scene.draws = rangeOf(frame.draws, frame.camera);
-        SceneTraits moved = traits;
-        moved.camera = scene.camera;
-        if (moved == scene && formatsHold(scene)) {  // histories go on
-            if (Status status = execution->setImports(frame); !status) return status;
-            traits = scene;
-            return compile(description, traits, device->caps(), options).diagnostics();
-        }
-        Result<State> next = with(description, options, scene);
-        if (!next) return next.diagnostics();
-        if (Status status = next->execution->setImports(frame); !status) return status;
-        *this = std::move(*next);
-        Diagnostics all = next.diagnostics();
-        append(all, prepareLevels());
-        return all;
-    }
-
-    /// Becomes `with` its arguments, or stays where that fails.
-    Status replan(Description other, const CompileOptions& with_options)
-    {
-        Result<State> next = with(std::move(other), with_options, traits);
-        if (next) *this = std::move(*next);
-        return next.diagnostics();
-    }
-};
+    return false;
+}
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
@@ -186,7 +60,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description d
         State{&device, valuesOf(description)}.with(std::move(description), options, traits);
     if (!state) return state.diagnostics();
     Diagnostics all = state.diagnostics();
-    append(all, state->prepareLevels());
+    append(all, state->prepareAll());
     auto made = std::make_unique<State>(std::move(*state));
     return {std::unique_ptr<Renderer>(new Renderer(std::move(made))), std::move(all)};
 }
@@ -270,6 +144,7 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
         param->semantic == ParamSemantic::length && !state_->formatsHold(state_->traits);
     if (!reformats && !replans) {
         state_->execution->setParam(name, next.data());
+        state_->setParamOfLevels(name, values, count);
         return {};
     }
     Description description = state_->description;
@@ -280,20 +155,8 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
                                           : "param '" + param->name + "' brought passes back";
     const Named at = *param;
     const Status status = state_->replan(std::move(description), state_->options);
+    if (status) state_->setParamOfLevels(at.name, values, count);
     return withCompiled(status, *state_->execution, cause, at);
-}
-
-Status Renderer::setImportFormat(std::string_view name, Format format)
-{
-    Description description = state_->description;
-    const int index = indexOf(description.imports, name);
-    if (index < 0)
-        return unknown(Code::reference_missing, "import", name, namesOf(description.imports),
-                       "imports");
-    ImportDesc& import = description.imports[index];
-    if (import.format == formatInfo(format).name) return {};
-    import.format = formatInfo(format).name;
-    return state_->replan(std::move(description), state_->options);
 }
 
 Status Renderer::setFeature(std::string_view name, std::string_view value)
@@ -313,6 +176,7 @@ Status Renderer::setFeature(std::string_view name, std::string_view value)
     applyLevel(description, feature->name);
     const Named at = *feature;
     const Status status = state_->replan(std::move(description), state_->options);
+    if (status) state_->setFeatureOfLevels(at.name, std::string(value));
     return withCompiled(status, *state_->execution, "feature '" + at.name + "' is a define", at);
 }
 
@@ -320,11 +184,13 @@ Status Renderer::reload(Description description, const CompileOptions& options)
 {
     const Values loaded = valuesOf(description);
     Diagnostics all = carryOver(state_->loaded, state_->description, description);
-    const Status status = state_->replan(std::move(description), options);
+    const Status status = state_->replan(std::move(description), options, false);
     if (!status) return status;
     state_->loaded = loaded;
+    state_->levels.clear();
+    state_->level = -1;
     append(all, status.diagnostics());
-    append(all, state_->prepareLevels());
+    append(all, state_->prepareAll());
     return all;
 }
 
@@ -333,7 +199,11 @@ Status Renderer::resize(Extent extent)
     if (extent == state_->options.extent) return {};
     CompileOptions options = state_->options;
     options.extent = extent;
-    return state_->replan(state_->description, options);
+    const Status status = state_->replan(state_->description, options);
+    if (!status) return status;
+    Diagnostics all = status.diagnostics();
+    append(all, state_->readyLevels());
+    return all;
 }
 
 TextureId Renderer::output(std::string_view name, int view) const

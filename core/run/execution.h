@@ -17,17 +17,28 @@ constexpr std::size_t kMaxIdlePrograms = 32;
 
 class Execution {
 public:
+    using SharedProgram = std::shared_ptr<Owned<ProgramId>>;
+
+    /// Programs by the key of their text.
+    using Programs = std::vector<std::pair<std::string, SharedProgram>>;
+
     /// Makes the plan's textures, programs and framebuffers. Programs that `previous` has under the
     /// same key are shared with it, not compiled again, and so are the last kMaxIdlePrograms that
-    /// no plan needs now; it may be null and may die at any time.
+    /// no plan needs now; it may be null and may die at any time. With `remember` its histories go
+    /// on, where it has all those of the plan: of the same name, format, size and views.
     ///
     /// Errors: the device's; CV5003 and CV5004 where a linked program has a uniform that the plan
     /// knows nothing of. Then nothing is left behind.
     static Result<std::unique_ptr<Execution>> create(Device& device, Plan plan,
-                                                     const Execution* previous = nullptr);
+                                                     const Execution* previous = nullptr,
+                                                     bool remember = false);
 
-    /// Makes programs that another plan has and this has not, and keeps them. Errors: the device's.
-    Status prepare(const Plan& other);
+    /// Makes programs that another plan has and this has not, and keeps them: all of that plan's
+    /// come back. Errors: the device's.
+    Result<Programs> prepare(const Plan& other);
+
+    /// Keeps programs that `prepare` made for the next plan to find, whatever was dropped since.
+    void keep(const Programs& programs);
 
     /// Takes a frame's textures, of the plan's views. Errors: CV6010, CV6011; then nothing changed.
     Status setImports(const Frame& frame);
@@ -56,7 +67,7 @@ public:
     const std::vector<std::string>& compiled() const { return compiled_; }
 
 private:
-    using SharedProgram = std::shared_ptr<Owned<ProgramId>>;
+    using SharedTexture = std::shared_ptr<Owned<TextureId>>;
 
     struct UniformBinding {
         int location;
@@ -109,6 +120,7 @@ private:
     Execution(Device& device, Plan plan) : device_(device), plan_(std::move(plan)) {}
 
     // execution_build.cpp
+    void takeHistories(const Execution& previous);
     Status createTextures();
     Status createGenerated();
     Status createPrograms(const Execution* previous);
@@ -162,13 +174,14 @@ private:
     std::vector<std::string> compiled_;
 
     // Destroyed from the last to the first: framebuffers before the textures that they draw into.
-    std::vector<std::vector<Owned<TextureId>>> textures_;  // the plan's, with their copies
+    std::vector<std::vector<SharedTexture>> textures_ =  // the plan's, with their copies
+        std::vector<std::vector<SharedTexture>>(plan_.textures.size());
     std::vector<Owned<TextureId>> constants_;
     std::vector<Owned<TextureId>> generated_;  // null where it is a kernel
     Owned<TextureId> white_;                   // for materials without a map
     Owned<TextureId> black_;                   // for optional imports that are absent
     // By key: the plan's, then the idle ones, the latest first.
-    std::vector<std::pair<std::string, SharedProgram>> programs_;
+    Programs programs_;
     std::vector<PreparedPass> runs_;  // the plan's passes for each view in turn
     std::vector<PreparedView> views_ = std::vector<PreparedView>(plan_.views);
 };

@@ -14,6 +14,11 @@ bool uses(const Plan& plan, InputKind kind)
     return false;
 }
 
+bool remembersAny(const Plan& plan)
+{
+    return anyOf(plan.targets, [](const auto& target) { return target.history_texture >= 0; });
+}
+
 PassInfo passInfo(const PlanPass& pass)
 {
     PassInfo info;
@@ -36,9 +41,10 @@ PassInfo passInfo(const PlanPass& pass)
 }  // namespace
 
 Result<std::unique_ptr<Execution>> Execution::create(Device& device, Plan plan,
-                                                     const Execution* previous)
+                                                     const Execution* previous, bool remember)
 {
     std::unique_ptr<Execution> made(new Execution(device, std::move(plan)));
+    if (previous && remember) made->takeHistories(*previous);
     Status status = made->createTextures();
     if (status) status = made->createGenerated();
     if (status) status = made->createPrograms(previous);
@@ -48,17 +54,46 @@ Result<std::unique_ptr<Execution>> Execution::create(Device& device, Plan plan,
     return made;
 }
 
+/// All of the plan's histories or none: `history_valid` is one for all. What was drawn last becomes
+/// what the first frame reads. Both executions have the textures then; only one may go on.
+void Execution::takeHistories(const Execution& previous)
+{
+    const auto same = [&](const PlanTexture& own, const PlanTexture& other) {
+        return own.format == other.format && own.extent == other.extent &&
+               own.copies == other.copies;
+    };
+    const auto there = [&](const PlanTarget& target) {
+        const PlanTarget* const other = findNamed(previous.plan_.targets, target.name);
+        return target.history_texture < 0 ||
+               (other && other->history_texture >= 0 &&
+                same(plan_.textures[target.texture], previous.plan_.textures[other->texture]));
+    };
+    remembers_ = previous.remembers_ && plan_.views == previous.plan_.views &&
+                 remembersAny(plan_) && allOf(plan_.targets, there);
+    if (!remembers_) return;
+    views_ = previous.views_;
+    for (const PlanTarget& target : plan_.targets) {
+        if (target.history_texture < 0) continue;
+        const PlanTarget& other = *findNamed(previous.plan_.targets, target.name);
+        textures_[target.texture] = previous.textures_[other.texture];
+        textures_[target.history_texture] = previous.textures_[other.history_texture];
+        if (previous.swapped_)
+            std::swap(textures_[target.texture], textures_[target.history_texture]);
+    }
+}
+
 Status Execution::createTextures()
 {
-    for (const PlanTexture& texture : plan_.textures) {
+    for (std::size_t i = 0; i < plan_.textures.size(); ++i) {
+        const PlanTexture& texture = plan_.textures[i];
+        if (!textures_[i].empty()) continue;  // a history that goes on
         const std::string label = texture.targets.empty() ? "unused" : texture.targets.front();
-        textures_.emplace_back();
         for (int view = 0; view < texture.copies; ++view) {
             const std::string of_view = view > 0 ? " of view " + std::to_string(view) : "";
             Result<TextureId> id = device_.createTexture(
                 {label + of_view, texture.format, texture.extent, texture.samples});
             if (!id) return id.diagnostics();
-            textures_.back().emplace_back(device_, *id);
+            textures_[i].push_back(std::make_shared<Owned<TextureId>>(device_, *id));
         }
     }
     Status status;
@@ -135,12 +170,21 @@ Status Execution::createProgram(const PlanProgram& program)
     return errors;
 }
 
-Status Execution::prepare(const Plan& other)
+Result<Execution::Programs> Execution::prepare(const Plan& other)
 {
-    Status status;
-    for (const PlanProgram& program : other.programs)
-        if (status && !programOf(program.key)) status = createProgram(program);
-    return status;
+    Programs all;
+    for (const PlanProgram& program : other.programs) {
+        if (!programOf(program.key))
+            if (Status status = createProgram(program); !status) return status.diagnostics();
+        all.emplace_back(program.key, programOf(program.key));
+    }
+    return all;
+}
+
+void Execution::keep(const Programs& programs)
+{
+    for (const auto& program : programs)
+        if (!programOf(program.first)) programs_.push_back(program);
 }
 
 Execution::SharedProgram Execution::programOf(const std::string& key) const
@@ -210,8 +254,8 @@ TextureId Execution::targetTexture(int target, int view, bool swapped) const
 
 TextureId Execution::texture(int index, int view) const
 {
-    const std::vector<Owned<TextureId>>& copies = textures_[index];
-    return copies[copies.size() > 1 ? view : 0].id();
+    const std::vector<SharedTexture>& copies = textures_[index];
+    return copies[copies.size() > 1 ? view : 0]->id();
 }
 
 /// The texture behind an input; null for those that a frame brings.

@@ -38,7 +38,8 @@ void PassTimers::start(int runs, std::size_t passes, const FrameClock* clock)
     clock_ = clock;
     forget();
     any_ = false;
-    latest_ = {clock ? clock->method() : TimingMethod::gpu_timer, std::vector<double>(passes), 0};
+    latest_ = {clock ? clock->method() : TimingMethod::gpu_timer, std::vector<double>(passes), 0,
+               0};
     for (TimedFrame& frame : frames_) frame.ran.assign(runs, 0);
 }
 
@@ -71,6 +72,7 @@ void PassTimers::read(Device& device, std::size_t frame)
             *sum = ms < 0 || *sum < 0 ? -1 : *sum + ms;
     }
     any_ = true;
+    ++latest_.count;
     frames_[frame].in_flight = false;
 }
 

@@ -19,9 +19,10 @@
 //              vec3 light_attenuation[MAX_LIGHTS] (1 / (x + y d + z d^2));
 //              vec4 light_cone[MAX_LIGHTS] (of a spot clamp(dot(xyz, towards) + w, 0, 1)^2 shines,
 //              where `towards` is the unit vector to the light); vec3 ambient_light
-//   history    float history_valid (1, or 0 where there is no last frame: the first one of a plan,
-//              and the one after a cut); mat4 previous_view_from_view, previous_clip_from_view
-//              (from this frame's view space to the last one's); int frame_index, [0, 1024)
+//   history    float history_valid (1, or 0 where there is no last frame: the first one of a plan
+//              that cannot go on with histories, and the one after a cut); mat4
+//              previous_view_from_view, previous_clip_from_view (from this frame's view space to
+//              the last one's); int frame_index, [0, 1024)
 //   pass       vec2 viewport_size, in pixels of the pass; mat3 ray_from_pixel (of the camera: from
 //              a place in those pixels and 1 to x and y of view space at z = 1, of a perspective
 //              view, and of parallel rays at any z)
@@ -297,6 +298,8 @@ struct FrameTimes {
     /// By a clock: all of the frame, with what lies between the passes. By the GPU's timer: the
     /// sum of the passes, or -1 when one of them is void; then draw again.
     double total_ms = 0;
+
+    std::uint64_t count = 0;  ///< Of Renderer::times: frames since the plan was made, this one too.
 };
 
 }  // namespace crevice

@@ -82,6 +82,8 @@ public:
     /// Says which format the host's texture for an import has, where it is another than the
     /// config's: shaders allow for its steps. Plans again.
     ///
+    /// It holds for all levels.
+    ///
     /// Errors: CV2102; those of `create`, and then the old format stays.
     Status setImportFormat(std::string_view name, Format format);
 
@@ -96,12 +98,34 @@ public:
     /// Puts another description, such as an edited config, in the place of the present one. What
     /// `setParam` and `setFeature` changed stays changed; a warning CV4006 names what the new
     /// description has no place for. Programs of the same text are not compiled again, so a variant
-    /// that ran before is there within a frame. Histories are cleared.
+    /// that ran before is there within a frame. Histories are cleared, and there are no levels.
     ///
     /// Errors: those of `create`; the old description and its pictures stay.
     Status reload(Description description, const CompileOptions& options);
 
-    /// Plans again for another size. Errors: those of `create`; the old size stays.
+    /// Takes descriptions between which `setLevel` chooses, and puts one in the place of the
+    /// present one. Plans and programs of all are made here, and again where size or traits change,
+    /// so that no switch has to. What is set at run time holds for all levels that have a place for
+    /// it, what was set before too; a warning CV4006 names what has none. Requires one at least.
+    ///
+    /// Errors: those of `create` for any of them, and CV2102 where they do not take the same of the
+    /// host; the old description and its pictures stay.
+    Status setLevels(std::vector<Description> levels, int level);
+
+    /// Draws another level. Costs textures and framebuffers, and compiles nothing. Histories go on
+    /// where both levels have the same: of the same names, formats and sizes.
+    ///
+    /// Errors: those of `create`; the old level stays.
+    Status setLevel(int index);
+
+    /// That is drawn; -1 without levels.
+    int level() const;
+
+    /// The texture that the config, or a level, imports under that name; null where there is none.
+    const ImportDesc* import(std::string_view name) const;
+
+    /// Plans again for another size. Errors: those of `create`; the old size stays. Warns of levels
+    /// that cannot be drawn at it.
     Status resize(Extent extent);
 
     /// The texture behind an output of a view, 0 up to `plan().views`: owned by the renderer, valid
