@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <crevice/effect.h>
 
+#include <crevice/governor.h>
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>
+
+#include "effects/api/front.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -11,13 +14,13 @@
 namespace crevice {
 namespace {
 
-/// Errors: CV2102 where the config imports no texture of that name.
-Status checkImport(const Description& description, std::string_view name)
+/// Errors: CV2102 where neither the config nor a level imports a texture of that name.
+Status checkImport(const Renderer& renderer, std::string_view name)
 {
+    if (renderer.import(name)) return {};
     std::vector<std::string> imports;
-    for (const ImportDesc& import : description.imports)
+    for (const ImportDesc& import : renderer.description().imports)
         if (import.type == ImportType::texture) imports.push_back(import.name);
-    if (std::count(imports.begin(), imports.end(), name) > 0) return {};
     Diagnostic unknown{Code::reference_missing,
                        "the config imports no texture '" + std::string(name) + "'"};
     unknown.help = imports.empty()
@@ -59,6 +62,9 @@ struct Effect::State {
     bool has_projection = false, has_view = false, has_drawn = false;
     std::vector<SetTexture> textures = {};
     std::unique_ptr<Renderer> renderer = nullptr;
+    std::optional<Governor> governor = {};
+    bool has_toured = true;         ///< Whether each level was drawn once.
+    std::uint64_t times_taken = 0;  ///< FrameTimes::count of those that the governor has.
 
     explicit State(Device& of) : device(of) {}
     ~State()
@@ -92,7 +98,7 @@ struct Effect::State {
                               "there is no view " + std::to_string(view) + ", but " +
                                   std::to_string(views()) + " views",
                               "give the frame that view first"};
-        const std::string& first = findNamed(renderer->description().imports, name)->format;
+        const std::string& first = renderer->import(name)->format;
         if (view == 0 || first == formatInfo(format).name) return {};
         return Diagnostic{Code::bad_input,
                           std::string(name) + " of view " + std::to_string(view) + " is " +
@@ -109,6 +115,38 @@ struct Effect::State {
             return true;
         };
         textures.erase(std::remove_if(textures.begin(), textures.end(), gone), textures.end());
+    }
+
+    /// Null without one, and where a reload took its levels away.
+    Governor* governing() { return governor && renderer->level() >= 0 ? &*governor : nullptr; }
+
+    /// Draws each level once, in frames without a history, and the governor's last.
+    Status tour()
+    {
+        const bool cut = std::exchange(frame.camera_cut, true);
+        const int levels = static_cast<int>(governor->levels().size());
+        Status status;
+        for (int i = 0; status && i <= levels; ++i) {
+            status = renderer->setLevel(i < levels ? i : governor->level());
+            if (status) status = renderer->render(frame);
+        }
+        frame.camera_cut = cut;
+        has_toured = status.ok();
+        return status;
+    }
+
+    /// Gives the governor the latest time that is known, and goes to its level. One that cannot be
+    /// drawn is a warning.
+    Diagnostics followBudget()
+    {
+        const FrameTimes* const times = renderer->times();
+        const int drawn = renderer->level();
+        if (times && times->count != std::exchange(times_taken, times->count))
+            governor->addTime(times->total_ms, drawn);
+        Diagnostics found = renderer->setLevel(governor->level()).diagnostics();
+        if (hasErrors(found)) governor->stayAt(drawn);
+        for (Diagnostic& each : found) each.severity = Severity::warning;
+        return found;
     }
 
     /// A view of the projection's own hand.
@@ -172,7 +210,7 @@ Status Effect::setTexture(std::string_view name, const HostTexture& host)
 
 Status Effect::setViewTexture(int view, std::string_view name, const HostTexture& host)
 {
-    Status known = checkImport(state_->renderer->description(), name);
+    Status known = checkImport(*state_->renderer, name);
     if (known) known = state_->checkView(view, name, host.format);
     if (!known) return known;
     std::vector<ImportedTexture>& textures = state_->texturesOf(view);
@@ -226,12 +264,53 @@ Status Effect::render()
     for (const State::SetTexture& texture : state_->textures)
         if (texture.id && texture.host.copied())
             if (Status status = state_->device.refresh(texture.id); !status) return status;
-    Status status = state_->renderer->render(state_->frame);
+    if (state_->governing() && !state_->has_toured) return state_->tour();
+    Diagnostics all = state_->governing() ? state_->followBudget() : Diagnostics();
+    append(all, state_->renderer->render(state_->frame).diagnostics());
+    const Status status = all;
     if (!status || std::exchange(state_->has_drawn, true) || state_->has_projection) return status;
     Diagnostics diagnostics = status.diagnostics();
     append(diagnostics, checkProjection(state_->renderer->description(), state_->frame.camera));
     return diagnostics;
 }
+
+Status Effect::govern(std::vector<FrontLevel> levels, const GovernorOptions& options,
+                      const Limits* limits)
+{
+    Result<Governor> governor = Governor::create(std::move(levels), options);
+    if (!governor) return governor.diagnostics();
+    std::vector<Description> descriptions;
+    Diagnostics all;
+    for (const FrontLevel& level : governor->levels()) {
+        const Limits most = limits ? *limits : Limits();
+        const Result<Node> document =
+            loadConfig(shippedSources(), {level.name, {}, level.set, {}, most});
+        if (!document) return ofLevel(level, document.diagnostics());
+        Result<Description> description = decode(*document, shippedSources(), most);
+        if (!description) return ofLevel(level, description.diagnostics());
+        append(all, ofLevel(level, description.diagnostics()));
+        descriptions.push_back(std::move(*description));
+    }
+    append(all, govern(std::move(*governor), std::move(descriptions)).diagnostics());
+    return all;
+}
+
+Status Effect::govern(Governor governor, std::vector<Description> levels)
+{
+    const Status status = state_->renderer->setLevels(std::move(levels), governor.level());
+    if (!status) return status;
+    state_->governor = std::move(governor);
+    state_->has_toured = false;
+    Diagnostics all = status.diagnostics();
+    const Status timing = state_->renderer->setTiming(true);
+    for (Diagnostic each : timing.diagnostics()) {
+        each.help = "hand over times of your own, by Governor::addTime";
+        all.push_back(std::move(each));
+    }
+    return all;
+}
+
+Governor* Effect::governor() { return state_->governing(); }
 
 std::uint32_t Effect::nativeName(std::string_view name, int view) const
 {

@@ -16,8 +16,12 @@
 
 namespace crevice {
 
+class Governor;
 class Renderer;
+struct Description;
 struct Frame;
+struct FrontLevel;
+struct GovernorOptions;
 struct Limits;
 
 /// What an output is drawn into.
@@ -95,6 +99,28 @@ public:
     Status setParam(std::string_view name, float value);
     Status setParam(std::string_view name, const float* values, int count);
     Status setFeature(std::string_view name, std::string_view value);
+
+    /// Draws the level of a front that fits a budget from now on, in place of the config
+    /// (<crevice/governor.h>). Loads all, and makes their programs; the first frame draws each
+    /// once, so that drivers have nothing left to do when the level changes. Then a change of level
+    /// costs textures, and compiles nothing; histories of the same shape go on. What was set stays,
+    /// and what is set holds for all levels that have it. `render` takes the GPU's times and
+    /// changes the level before it draws; a level that cannot be drawn is a warning then, and the
+    /// old one stays.
+    ///
+    /// Warns with CV6018 where the GPU's time cannot be measured, as on software renderers: hand
+    /// over times of your own then, by Governor::addTime.
+    ///
+    /// Errors: those of `create` for each level, those of Governor::create, and CV2102 for levels
+    /// that do not take the same textures or draws; what was drawn before stays.
+    Status govern(std::vector<FrontLevel> levels, const GovernorOptions& options,
+                  const Limits* limits = nullptr);
+
+    /// The same with levels that are loaded, one for each of the governor's.
+    Status govern(Governor governor, std::vector<Description> levels);
+
+    /// For its report, budget and times. Null before `govern`, and after Renderer::reload.
+    Governor* governor();
 
     /// Costs nothing where the size is as before. Errors: those of Renderer::resize; the old size
     /// stays.

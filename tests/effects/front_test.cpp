@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Fronts: what is read of one, what is wrong with it and where; and effects that are governed by
+// one, on a device that draws nothing.
+#include <crevice/effect.h>
+#include <crevice/governor.h>
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
+
+#include <limits>
+
+using namespace crevice;
+
+namespace {
+
+std::string frontOf(const std::string& levels)
+{
+    return "{\"format\": \"crevice-front-1\", \"scene\": \"room\", \"size\": [960, 540],\n"
+           "\"device\": \"some\",\n\"levels\": " +
+           levels + "}";
+}
+
+const char* const kMobile = "\"mobile\"";
+
+/// A front of one level, of those values.
+std::string one(const std::string& config, const std::string& set, const std::string& ms,
+                const std::string& error)
+{
+    return frontOf("[{\"config\": " + config + ", \"set\": " + set + ", \"ms\": " + ms +
+                   ", \"error\": " + error + "}]");
+}
+
+const char* const kTwo = R"([{"config": "mobile_low", "set": ["radius=1"], "ms": 0.8, "error": 0.1},
+{"config": "mobile", "set": [], "ms": 1.5, "error": 0.05}])";
+
+FrontLevel levelOf(const std::string& config, double ms, std::vector<std::string> set = {})
+{
+    FrontLevel level;
+    level.name = config;
+    level.ms = ms;
+    level.set = std::move(set);
+    return level;
+}
+
+}  // namespace
+
+TEST_CASE("A front is read from a file or from text")
+{
+    TemporaryFolder folder("front");
+    const std::string file = folder.write("front.json", frontOf(kTwo));
+    for (const std::string& front : {file, frontOf(kTwo)}) {
+        const std::vector<FrontLevel> levels = need(readFront(front));
+        REQUIRE(levels.size() == 2);
+        CHECK(levels[0].name == "mobile_low");
+        CHECK(levels[0].set == std::vector<std::string>{"radius=1"});
+        CHECK(levels[1].ms == 1.5);
+        CHECK(levels[1].error == 0.05);
+        CHECK(levels[1].place.line == 4);
+    }
+}
+
+TEST_CASE("What is no front gets one message, with a place and a way out")
+{
+    const std::string level = R"("config": "mobile", "set": [], "ms": 1, "error": 0.1)";
+    const struct {
+        std::string front;
+        const char *code, *pointer;
+        int line;
+    } rows[] = {
+        {"nowhere.json", "CV1201", "", 0},
+        {"{\"format\": \"crevice-front-1\"", "CV1001", "", 1},
+        {"{\"levels\": [{" + level + "}]}", "CV3003", "", 1},
+        {"{\"format\": \"front\", \"levels\": [{" + level + "}]}", "CV3005", "/format", 1},
+        {"{\"format\": \"crevice-front-1\"}", "CV3003", "", 1},
+        {"{\"format\": \"crevice-front-1\", \"levles\": [], \"levels\": [{" + level + "}]}",
+         "CV3001", "/levles", 1},
+        {frontOf("{}"), "CV3002", "/levels", 3},
+        {frontOf("[]"), "CV3006", "", 3},
+        {frontOf("[1]"), "CV3002", "/levels/0", 3},
+        {frontOf("[{" + level + ", \"mz\": 2}]"), "CV3001", "/levels/0/mz", 3},
+        {frontOf(R"([{"set": [], "ms": 1, "error": 0.1}])"), "CV3003", "/levels/0", 3},
+        {frontOf(R"([{"config": "mobile", "set": [], "ms": 1}])"), "CV3003", "/levels/0", 3},
+        {one("3", "[]", "1", "0.1"), "CV3002", "/levels/0/config", 3},
+        {one(kMobile, "\"radius=1\"", "1", "0.1"), "CV3002", "/levels/0/set", 3},
+        {one(kMobile, "[1]", "1", "0.1"), "CV3002", "/levels/0/set/0", 3},
+        {one(kMobile, "[]", "\"1\"", "0.1"), "CV3002", "/levels/0/ms", 3},
+        {one(kMobile, "[]", "1e999", "0.1"), "CV1003", "/levels/0/ms", 3},
+        {one(kMobile, "[]", "0", "0.1"), "CV4001", "/levels/0", 3},
+        {one(kMobile, "[]", "1", "-1"), "CV4001", "/levels/0", 3},
+        {frontOf("[{" + level + "},\n{" + level + "}]"), "CV4001", "/levels/1", 4},
+    };
+    for (const auto& row : rows) {
+        INFO(row.front);
+        const auto front = readFront(row.front);
+        REQUIRE_FALSE(front.ok());
+        INFO(toText(front.diagnostics()));
+        REQUIRE(front.diagnostics().size() == 1);
+        const Diagnostic& error = front.diagnostics()[0];
+        CHECK(codeName(error.code) == row.code);
+        CHECK(error.pointer == row.pointer);
+        CHECK(error.place.line == row.line);
+        CHECK_FALSE(error.help.empty());
+    }
+}
+
+TEST_CASE("Options and levels that make no sense are refused")
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<FrontLevel> one = {levelOf("mobile", 1)};
+    const struct {
+        std::vector<FrontLevel> levels;
+        GovernorOptions options;
+        Code code;
+    } rows[] = {
+        {{}, {1}, Code::bad_length},
+        {{levelOf("mobile", nan)}, {1}, Code::not_finite},
+        {{levelOf("mobile", 2), levelOf("high", 2)}, {1}, Code::out_of_range},
+        {one, {}, Code::out_of_range},
+        {one, {nan}, Code::out_of_range},
+        {one, {1, -1}, Code::out_of_range},
+        {one, {1, 0.5}, Code::out_of_range},  // of no known error
+        {one, {1, 0, 1.5}, Code::out_of_range},
+        {one, {1, 0, 0.9, 0}, Code::out_of_range},
+    };
+    for (const auto& row : rows) {
+        const auto made = Governor::create(row.levels, row.options);
+        REQUIRE_FALSE(made.ok());
+        CHECK(onlyCode(made.diagnostics()) == row.code);
+    }
+    Governor governor = need(Governor::create(one, {1}));
+    CHECK_FALSE(governor.setBudget(0).ok());
+    for (const double ms : {nan, 0.0, -1.0, std::numeric_limits<double>::infinity()})
+        governor.addTime(ms);
+    CHECK(governor.report().ms == 0);
+    governor.addTime(0.5, 3);  // of no level that is drawn
+    CHECK(governor.report().ms == 0);
+    governor.setEstimate(0.03);
+    governor.addTime(0.5);
+    CHECK(governor.report().ms == 0.5);
+    CHECK(governor.report().predicted_ms == 0.5);
+    CHECK(governor.report().estimate == 0.03);
+}
+
+TEST_CASE("An effect that is governed draws the level that fits, by the GPU's times of before")
+{
+    RecordingDevice device;
+    device.setTimers(std::vector<double>(kMaxTimers, 0.1));
+    Effect effect = need(Effect::create(device, "mobile", {64, 36}, {"ao"}));
+    Camera& camera = effect.frame().camera;
+    camera.clip_from_view[3][3] = 1.5f;
+    CHECK(effect.governor() == nullptr);
+    need(effect.govern(need(readFront(frontOf(kTwo))), {2.0}));
+    REQUIRE(effect.governor());
+    CHECK(effect.governor()->level() == 1);
+    const auto show = [&](int frames) {
+        for (int i = 0; i < frames; ++i) {
+            ++effect.frame().revision;
+            camera.clip_from_view[3][3] += 0.001f;  // what it draws is another, so all passes run
+            need(effect.render());
+        }
+        return effect.renderer().level();
+    };
+    CHECK(show(1) == 1);  // having drawn each once
+    device.clearLog();
+    CHECK(show(20) == 1);
+    CHECK(effect.governor()->report().ms > 0);
+    device.setTimers(std::vector<double>(kMaxTimers, 4.0));
+    CHECK(show(8) == 0);
+    CHECK(effect.renderer().description().name == "mobile_low");
+    device.setTimers(std::vector<double>(kMaxTimers, 0.1));
+    CHECK(show(60) == 1);
+    CHECK(device.log().find("createProgram") == std::string::npos);
+    // Times of the host's.
+    for (int i = 0; i < 2; ++i) effect.governor()->addTime(50);
+    CHECK(effect.governor()->level() == 0);
+    CHECK(show(1) == 0);
+    // A level that cannot be drawn is a warning, and the old one goes on.
+    for (int i = 0; i < 200 && effect.governor()->level() == 0; ++i)
+        effect.governor()->addTime(0.1);
+    REQUIRE(effect.governor()->level() == 1);
+    device.failAt(1);
+    ++effect.frame().revision;
+    const Status status = effect.render();
+    CHECK(status.ok());
+    CHECK(onlyCode(status) == Code::out_of_memory);
+    CHECK(effect.renderer().level() == 0);
+    CHECK(effect.governor()->level() == 0);
+    need(effect.renderer().reload(effect.renderer().description(), {{64, 36}, {"ao"}}));
+    CHECK(effect.governor() == nullptr);
+    need(effect.render());
+    CHECK(device.misuse().empty());
+}
+
+TEST_CASE("An effect takes no levels that are wrong, and says of which level what is wrong")
+{
+    RecordingDevice device;
+    Effect effect = need(Effect::create(device, "mobile", {64, 36}, {"ao"}));
+    const auto said = [&](std::vector<FrontLevel> levels) {
+        const Status status = effect.govern(std::move(levels), {1});
+        CHECK_FALSE(status.ok());
+        CHECK(effect.governor() == nullptr);
+        return toText(status.diagnostics());
+    };
+    CHECK_THAT(said({levelOf("mobil", 1)}), Catch::Contains("CV1201"));
+    CHECK_THAT(said({levelOf("mobile", 1, {"radios=1"})}),
+               Catch::Contains("CV4004") && Catch::Contains("in level 'mobile'"));
+    CHECK_THAT(said({levelOf("mobile", 1), levelOf("mobile+geometry/host_depth", 2)}),
+               Catch::Contains("CV2102") && Catch::Contains("geometry/host_depth"));
+    const auto unknown =
+        need(readFront(frontOf(R"([{"config": "mobil", "set": [], "ms": 1, "error": 0.1}])")));
+    CHECK_THAT(said(unknown), Catch::Contains("(JSON text):3:") && Catch::Contains("mobile"));
+    const Status software = effect.govern({levelOf("mobile", 1)}, {1});
+    CHECK(software.ok());
+    CHECK(onlyCode(software) == Code::no_timers);
+    CHECK_THAT(software.diagnostics()[0].help, Catch::Contains("addTime"));
+}
