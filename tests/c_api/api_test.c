@@ -88,6 +88,11 @@ static void check_nulls(void)
     EXPECT(none, crevice_effect_set_timing(NULL, true));
     CHECK(crevice_effect_pass_time_count(NULL) == 0);
     EXPECT(none, crevice_effect_get_pass_time(NULL, 0, NULL));
+    EXPECT(none, crevice_effect_govern(NULL, NULL));
+    EXPECT(none, crevice_effect_add_time(NULL, 1, 0));
+    EXPECT(none, crevice_effect_set_budget(NULL, 1));
+    EXPECT(none, crevice_effect_set_estimate(NULL, 0));
+    EXPECT(none, crevice_effect_get_governor(NULL, NULL));
     CHECK(crevice_effect_param_count(NULL) == 0);
     EXPECT(none, crevice_effect_get_param(NULL, 0, NULL));
     CHECK(crevice_effect_feature_count(NULL) == 0);
@@ -126,6 +131,8 @@ static void check_nulls_of(crevice_effect* effect)
     EXPECT(none, crevice_effect_set_lights(effect, NULL, 1));
     EXPECT(none, crevice_effect_set_ambient_light(effect, NULL));
     EXPECT(none, crevice_effect_get_pass_time(effect, 0, NULL));
+    EXPECT(none, crevice_effect_govern(effect, NULL));
+    EXPECT(none, crevice_effect_get_governor(effect, NULL));
     EXPECT(none, crevice_effect_get_patch(effect, NULL));
 }
 

@@ -14,8 +14,6 @@ namespace {
 constexpr const char* kBlank = R"({ "format": 1, "name": "blank", "params": { "intensity": 0 },
     "extends": ["geometry/host_depth", "ssao/hemisphere"] })";
 
-std::string textOf(const char* text) { return text ? text : ""; }
-
 Result<EffectRequest> requestOf(const crevice_effect_desc& desc)
 {
     EffectRequest request{textOf(desc.config), textOf(desc.folder), textOf(desc.patch), {}, {}};
@@ -49,6 +47,7 @@ Status load(crevice_effect& effect, EffectRequest request, Extent size)
         effect.effect->renderer().reload((*loaded)->description, {size, request.outputs, {}});
     if (!status) return status;
     effect.request = std::move(request);
+    effect.levels.clear();
     effect.loaded = std::move(*loaded);
     Diagnostics all = loaded.diagnostics();
     append(all, status.diagnostics());
@@ -77,6 +76,8 @@ Status create(const crevice_device& device, const crevice_effect_desc& desc,
 Status render(crevice_effect& effect)
 {
     const Status status = effect.effect->render();
+    if (effect.effect->governor())
+        effect.loaded = effect.levels[static_cast<std::size_t>(rendererOf(effect).level())];
     Frame& frame = effect.effect->frame();
     if (std::exchange(effect.scene.callback_threw, false)) {
         ++frame.revision;  // draw again what it left undone

@@ -51,6 +51,7 @@ struct EffectRequest {
     std::string patch;
     std::vector<std::string> outputs;
     Limits limits;
+    std::vector<std::string> overrides = {};  ///< Of a level.
 };
 
 /// A config as it was loaded. Its strings stay where they are while params and features change.
@@ -61,6 +62,9 @@ struct LoadedConfig {
     std::vector<std::vector<const char*>> words;  ///< Of each feature.
     std::vector<std::string> outputs;             ///< Those that are drawn.
 };
+
+/// Of a text that may be null.
+inline std::string textOf(const char* text) { return text ? text : ""; }
 
 /// Errors: those of loadConfig and decode, and of mergePatch for the patch.
 Result<std::unique_ptr<LoadedConfig>> loadEffect(const EffectRequest& request);
@@ -84,7 +88,8 @@ struct crevice_mesh {
 struct crevice_effect {
     std::shared_ptr<crevice::Device> device;
     crevice::EffectRequest request;
-    std::unique_ptr<crevice::LoadedConfig> loaded;
+    std::shared_ptr<crevice::LoadedConfig> loaded;
+    std::vector<std::shared_ptr<crevice::LoadedConfig>> levels = {};  ///< Of its governor.
     crevice::HostScene scene = {};
     std::optional<crevice::Effect> effect = {};
     std::unique_ptr<crevice_error> warnings = {};

@@ -68,7 +68,8 @@ std::vector<std::string> overridesOf(const Description& loaded, const Descriptio
 Result<std::unique_ptr<LoadedConfig>> loadEffect(const EffectRequest& request)
 {
     const CheckoutSources sources(request.folder);
-    Result<Node> bare = loadConfig(sources, {request.config, {}, {}, {}, request.limits});
+    Result<Node> bare =
+        loadConfig(sources, {request.config, {}, request.overrides, {}, request.limits});
     if (!bare) return bare.diagnostics();
     auto loaded = std::make_unique<LoadedConfig>();
     loaded->bare = std::move(*bare);
