@@ -123,6 +123,8 @@ Status Renderer::setTiming(bool on)
 
 const FrameTimes* Renderer::times() const { return state_->execution->times(); }
 
+void Renderer::takeTimes() { state_->execution->takeTimes(); }
+
 Status Renderer::setParam(std::string_view name, const float* values, int count)
 {
     std::vector<ParamDesc>& params = state_->description.params;

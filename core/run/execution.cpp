@@ -115,7 +115,7 @@ void Execution::setParam(std::string_view name, const float* values)
 
 Status Execution::run(const Frame& frame)
 {
-    timers_.collect(device_);
+    takeTimes();
     return draw(frame, timers_, false);
 }
 

@@ -56,6 +56,7 @@ public:
 
     /// What the latest frame took whose results are in; null before there are any.
     const FrameTimes* times() const { return timers_.latest(); }
+    void takeTimes() { timers_.collect(device_); }
 
     /// Sets a param of the plan to as many floats as its type has. Does nothing if no pass uses it.
     void setParam(std::string_view name, const float* values);

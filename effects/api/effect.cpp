@@ -135,10 +135,10 @@ struct Effect::State {
         return status;
     }
 
-    /// Gives the governor the latest time that is known, and goes to its level. One that cannot be
-    /// drawn is a warning.
+    /// Tells the governor the latest time, and goes to its level; one that cannot be drawn warns.
     Diagnostics followBudget()
     {
+        renderer->takeTimes();
         const FrameTimes* const times = renderer->times();
         const int drawn = renderer->level();
         if (times && times->count != std::exchange(times_taken, times->count))

@@ -69,6 +69,9 @@ public:
     /// `setTiming` and after each new plan. Good until the next `render`.
     const FrameTimes* times() const;
 
+    /// Takes the results that are in by now, as `render` does before it draws.
+    void takeTimes();
+
     /// Sets a param's value: as many floats as it has components, or the three of a length
     /// (ParamDesc::value). Costs nothing, but for params bound as defines, those that a count or
     /// size is taken from, values at which a pass is or was a no-op and a radius that other formats
