@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Makes configs of other libraries' own shaders, to be measured beside ours on the same depth and normals: n8ao in all of
-# its modes, full and half resolution, and three.js's GTAOPass. Their texts come from npm, are translated to GLSL ES 3.00
+# its modes, learned denoisers too, full and half resolution, and three.js's GTAO, SSAO and SAO passes. Their texts come from npm, are translated to GLSL ES 3.00
 # and stay in FOLDER: none of them is part of this project, each has its own licence.
 #
 #   tools/scripts/peers.sh [FOLDER]     default: peers/ in the cache of crevice, ~/.cache/crevice/peers

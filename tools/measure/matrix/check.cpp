@@ -190,7 +190,8 @@ Status CellChecker::judgeTime(const MatrixCell& cell, const MatrixCheck& check, 
     for (int turn = 1; turn <= kMostPatience * kTurns && !interrupted(); ++turn) {
         if (const Status taken = takeBoth(); !taken) return taken;
         ratio = ratioFigures(turns.costs(), units.costs());
-        if (turn >= kTurns && isSettled(ratio, turns.costs().size())) break;
+        const bool settled = medianMargin(ratio, turns.costs().size()) <= kSettledMargin;
+        if (turn >= kTurns && settled) break;
     }
     judged(ratio.median > 0 && ratio.median <= check["most"],
            "takes " + significant(ratio.median, 3) + " times as long as '" +

@@ -27,7 +27,8 @@ mkdirSync(folder, {recursive: true});
 const three = await from("three/build/three.module.js");
 const {N8AOPass} = await from("n8ao/src/N8AOPass.js");
 const {DepthMipAtlas, DEPTH_MIP_LEVELS} = await from("n8ao/src/DepthMipAtlas.js");
-const {GTAOPass} = await from("three/examples/jsm/postprocessing/GTAOPass.js");
+const passes = await Promise.all(["GTAO", "SSAO", "SAO"].map(name => from(`three/examples/jsm/postprocessing/${name}Pass.js`)));
+const {BlurShaderUtils} = await from("three/examples/jsm/shaders/DepthLimitedBlurShader.js");
 const chunks = three.ShaderChunk;
 const version = JSON.parse(readFileSync(`${modules}/n8ao/package.json`)).version;
 
@@ -35,6 +36,6 @@ const made = [
   ...makeN8ao(folder, {
     three, chunks, version, N8AOPass, DEPTH_MIP_LEVELS, atlasMaterial: new DepthMipAtlas().quad.material
   }),
-  ...makeThree(folder, {three, chunks, GTAOPass})
+  ...makeThree(folder, {three, chunks, BlurShaderUtils, ...Object.assign({}, ...passes)})
 ];
 console.log(`wrote ${made.length} configs of peers to ${folder}: ${made.join(", ")}`);

@@ -2,7 +2,8 @@
 // n8ao's passes, as N8AOPass sets them up in each of its modes.
 import {Config} from "./config.mjs";
 
-const MODES = ["Performance", "Low", "Medium", "High", "Ultra"];
+const MODES = ["Performance", "Low", "Medium", "High", "Ultra", "Neural-Performance", "Neural-Low", "Neural-Medium",
+  "Neural-High"];
 
 // The levels of its depth atlas (src/DepthMipAtlas.js): it sets them once a size, we find them where they are read.
 function levelsOf(count, base) {
@@ -27,9 +28,14 @@ function addMips(config, lib, depth, scale) {
 }
 
 function addDenoise(config, pass, half, depth, noise) {
+  const neural = pass.configuration.neuralDenoise;
   for (let index = 0; index < pass.configuration.denoiseIterations; ++index) {
     config.target(`denoised_${index}`, "rgba8", half ? 0.5 : 1);
-    config.pass(`denoise_${index}`, pass.standardDenoiseMaterial, [`denoised_${index}`], {
+    const learned = neural && index === 1 ? pass.neuralDenoiseMaterial : pass.standardDenoiseMaterial;
+    config.pass(`denoise_${index}`, learned, [`denoised_${index}`], {
+      // What a shader of GLSL 3 writes to, our header has.
+      replace: neural && index === 1 ?
+        [["layout(location = 0) out highp vec4 neuralFragColor;", ""], ["#define gl_FragColor neuralFragColor", ""]] : [],
       samplers: {
         tDiffuse: {from: index ? `denoised_${index - 1}` : "raw", filter: "linear"}, sceneDepth: depth,
         blueNoise: noise, sceneDiffuse: depth
@@ -37,7 +43,7 @@ function addDenoise(config, pass, half, depth, noise) {
       rename: {radius: "denoise_radius"},
       expressions: {worldRadius: "radius"},
       values: {
-        denoise_radius: pass.configuration.denoiseRadius * (half ? 0.5 : 1), index, poissonDisk: pass.samplesDenoise,
+        denoise_radius: pass.configuration.denoiseRadius * (half && !neural ? 0.5 : 1), index, poissonDisk: pass.samplesDenoise,
         distanceFalloff: pass.configuration.distanceFalloff
       }
     });
@@ -47,7 +53,8 @@ function addDenoise(config, pass, half, depth, noise) {
 
 function addComposition(config, pass, half, denoised) {
   config.target("ao", "r8");
-  config.pass("compose", pass.standardCompositerMaterial, ["ao"], {
+  const learned = half && pass.configuration.neuralDenoise;
+  config.pass("compose", learned ? pass.neuralCompositerMaterial : pass.standardCompositerMaterial, ["ao"], {
     samplers: {
       tDiffuse: {from: denoised, filter: "linear"}, sceneDepth: "depth",
       downsampledDepth: half ? "half_depth" : "depth", sceneDiffuse: "depth", blueNoise: "depth", transparencyDWFalse: "depth", transparencyDWTrue: "depth",
@@ -71,7 +78,7 @@ function makeConfig(folder, lib, mode, half) {
   pass.setQualityMode(mode);
   pass.configureSampleDependentPasses();
   pass.configureEffectCompositer(pass.configuration.depthBufferType, false);
-  const name = `n8ao_${mode.toLowerCase()}${half ? "_half" : ""}`, scale = half ? 0.5 : 1;
+  const name = `n8ao_${mode.toLowerCase().replace("-", "_")}${half ? "_half" : ""}`, scale = half ? 0.5 : 1;
   const config = new Config(folder, name, `n8ao ${lib.version}, mode ${mode}${half ? ", half resolution" : ""}.`,
     "geometry/depth_only", lib.chunks);
   const noise = config.noise("n8ao_noise", pass.bluenoise);

@@ -77,9 +77,10 @@ export function translate(material, chunks, bind, prefix, made) {
     text = text.replaceAll(from, to);
   }
   for (const [from, to] of Object.entries(bind.rename || {})) text = text.replace(new RegExp(`\\b${from}\\b`, "g"), to);
+  text = text.replace(/\baverage\b/g, "peer_average");  // an extension's function that glslang knows
   const expressions = {...CAMERA, ...bind.expressions};
   text = text.replace(
-    /\buniform\s+(?:(?:highp|mediump|lowp)\s+)?(\w+)(\[\w+\])?\s+(\w+)(\[\w+\])?\s*;/g,
+    /\buniform\s+(?:(?:highp|mediump|lowp)\s+)?(\w+)(\[[^\]]+\])?\s+(\w+)(\[[^\]]+\])?\s*;/g,
     (_, type, before, name, after) => {
       // What nothing reads is left out: a macro `r` would spoil swizzles.
       if (text.match(new RegExp(`(?<![.\\w])${name}\\b`, "g")).length === 1) return "";
