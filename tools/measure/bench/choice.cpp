@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -166,7 +167,8 @@ bool isOfError(const ChoiceLimit& limit) { return limit.kind == ChoiceLimit::Kin
 double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind)
 {
     if (kind == ChoiceLimit::Kind::error) return candidate.error;
-    return kind == ChoiceLimit::Kind::time_ms ? candidate.ms : candidate.ratio;
+    if (kind == ChoiceLimit::Kind::time_ms) return candidate.ms;
+    return candidate.ratio > 0 ? candidate.ratio : std::numeric_limits<double>::infinity();
 }
 
 std::string shortText(const Candidate& candidate)

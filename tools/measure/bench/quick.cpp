@@ -32,7 +32,8 @@ double medianOfTurns(const std::vector<double>& values)
 /// Never surer than what a bench settles for.
 Range intervalOf(const std::vector<double>& values)
 {
-    if (values.empty()) return {};
+    constexpr double kNever = 1e30;  // there is nothing that it is measured by
+    if (values.empty()) return {kNever, kNever, kNever};
     const TimeFigures figures = timeFigures(values);
     const double margin = std::max(kSettledMargin, medianMargin(figures, values.size()));
     return rangeOf(figures.median, figures.median * margin);
@@ -58,8 +59,8 @@ Range growthOf(const Entrant& entrant, const std::vector<Entrant>& all, Figure&&
 {
     std::vector<double> factors;
     for (const Entrant& other : all) {
-        if (!other.small || !other.full) continue;
-        const double factor = figure(other.full) / std::max(1e-9, figure(other.small));
+        if (!other.small || !other.full || figure(other.small) <= 0) continue;
+        const double factor = figure(other.full) / figure(other.small);
         if (other.config == entrant.config) return {factor, factor / kKinOff, factor * kKinOff};
         factors.push_back(factor);
     }

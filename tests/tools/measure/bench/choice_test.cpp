@@ -107,6 +107,8 @@ TEST_CASE("what is no better than no ambient occlusion in one scene is no candid
     CHECK(candidates->elided.empty());
     CHECK(candidates->error_without_ao == 0.4);
     CHECK(!choose(*candidates, {{Kind::time_ms, 1.5}}).ok());
+    for (BenchSample& sample : samples) sample.ratio_learnopengl = 0;  // there was none to compare
+    CHECK(!choose(*findCandidates(samples, {}), {{Kind::ratio, 1000}}).ok());
 }
 
 TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be asked for")
@@ -170,6 +172,17 @@ TEST_CASE("a choice refuses what the results do not hold")
     samples.back().device = "device B";
     CHECK(refusal(samples, {}) == Code::usage);
     CHECK(findCandidates(samples, {"B", "", {}}).ok());
+}
+
+TEST_CASE("a file's view has its name, and its path where two are called so")
+{
+    std::vector<BenchSample> samples;
+    for (const char* scene : {"room", "far/away/hall.glb", "a/tree.glb", "b/tree.glb"})
+        samples.push_back(benchSample("fast", 4, 1, 0.1, scene));
+    std::vector<std::string> names;
+    for (const ResultView& view : benchViews(samples)) names.push_back(view.name);
+    std::sort(names.begin(), names.end());
+    CHECK(names == std::vector<std::string>{"a/tree.glb", "b/tree.glb", "hall.glb", "room"});
 }
 
 TEST_CASE("a budget has a unit")
