@@ -34,6 +34,15 @@ std::string Entrant::label() const
     return sampleLabel(sample);
 }
 
+std::vector<double> Look::milliseconds() const
+{
+    if (ratios.empty()) return costs;
+    std::vector<double> all = ratios;
+    const double unit_ms = timeFigures(unit->costs()).median;
+    for (double& ratio : all) ratio *= unit_ms;
+    return all;
+}
+
 Status ViewMeter::begin(Entrant& first)
 {
     Result<UploadedScene> uploaded = UploadedScene::upload(device_, *seen_.scene);
@@ -174,11 +183,16 @@ Status ViewMeter::time(Entrant& entrant, Picture& picture, const Frame& frame, b
     Look& seen = &picture == &small_ ? entrant.small : entrant.full;
     TurnTaker taker(*entrant.renderer, frame);
     if (const Status timed = picture.unit.takeTurn(); !timed) return timed;
-    for (int turn = 0; turn < (rough ? 1 : kTimedTurns); ++turn) {
+    for (int turn = 0; turn < (rough ? 1 : kTimedTurns); ++turn)
         if (const Status timed = taker.takeTurn(); !timed) return timed;
-        seen.costs.push_back(taker.costs().back());
-        if (picture.unit) seen.ratios.push_back(seen.costs.back() / picture.unit.costs().back());
+    if (const Status timed = picture.unit.takeTurn(); !timed) return timed;
+    const std::vector<double>& units = picture.unit.costs();
+    const double unit = picture.unit ? 0.5 * (units.end()[-1] + units.end()[-2]) : 0.0;
+    for (const double cost : taker.costs()) {
+        seen.costs.push_back(cost);
+        if (unit > 0) seen.ratios.push_back(cost / unit);
     }
+    seen.unit = &picture.unit;
     entrant.clock = taker.frames().back().method;
     return {};
 }
@@ -240,7 +254,7 @@ BenchSample ViewMeter::sampleOf(const Entrant& entrant) const
     sample.motion = entrant.motion;
     sample.clock = clockName(entrant.clock);
     sample.repeats = static_cast<int>(entrant.full.costs.size());
-    sample.cost = timeFigures(entrant.full.costs);
+    sample.cost = timeFigures(entrant.full.milliseconds());
     if (!entrant.full.ratios.empty())
         sample.ratio_learnopengl = timeFigures(entrant.full.ratios).median;
     sample.texture_bytes = entrant.texture_bytes;

@@ -16,6 +16,11 @@ struct Look {
     double with_flicker = 0;     ///< The rmse, and flickerOf() where that is measured.
     std::vector<double> costs;   ///< As occlusionCost has them, of each turn.
     std::vector<double> ratios;  ///< Of these over that of learnopengl; none without it.
+    const Yardstick* unit = nullptr;
+
+    /// Of each turn: the ratios times the median of all turns of learnopengl, so that they compare
+    /// with those of another moment; without it the costs.
+    std::vector<double> milliseconds() const;
 
     explicit operator bool() const { return !costs.empty(); }
 };
@@ -85,8 +90,8 @@ public:
     /// `radius` or the output `ao`.
     Status load(Entrant& entrant);
 
-    /// Draws it in a picture, and adds to its costs there: with `rough` one turn, else three. A
-    /// turn of learnopengl goes before. Errors: those of Renderer::create, of drawing and of
+    /// Draws it in a picture, and adds to its costs there: with `rough` one turn, else three,
+    /// between two of learnopengl. Errors: those of Renderer::create, of drawing and of
     /// sparseError.
     Status lookSmall(Entrant& entrant, bool rough);
     Status lookFull(Entrant& entrant) { return look(entrant, full_, false); }

@@ -68,7 +68,7 @@ Range growthOf(const Entrant& entrant, const std::vector<Entrant>& all, Figure&&
 }
 
 double errorOf(const Look& look) { return look.with_flicker; }
-double costOf(const Look& look) { return medianOfTurns(look.costs); }
+double costOf(const Look& look) { return medianOfTurns(look.milliseconds()); }
 double ratioOf(const Look& look) { return medianOfTurns(look.ratios); }
 
 std::map<std::string, std::string> settingsOf(const Entrant& entrant)
@@ -100,7 +100,7 @@ std::string settingApart(const Entrant& entrant, const Entrant& other)
 
 Standing asMeasured(const Look& look)
 {
-    return {intervalOf(look.costs), intervalOf(look.ratios),
+    return {intervalOf(look.milliseconds()), intervalOf(look.ratios),
             rangeOf(look.with_flicker, look.error.margin), true, &look.error};
 }
 
@@ -290,7 +290,7 @@ QuickDetails QuickBench::detailsOf(const BenchSample& sample) const
     while (place < entrants_.size() && entrants_[place].label() != sampleLabel(sample)) ++place;
     if (place == entrants_.size()) return details;
     const Entrant& it = entrants_[place];
-    const Range ms = intervalOf(it.full.costs);
+    const Range ms = intervalOf(it.full.milliseconds());
     details.error_margin = it.full.error.margin;
     details.ms_margin = ms.high - ms.value;
     details.sure = sureness(standings(), place, options_.limits);
