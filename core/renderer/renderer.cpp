@@ -5,6 +5,26 @@
 namespace crevice {
 namespace {
 
+/// Whether a plan made with the param's value `now` does not hold for `next`.
+bool changesPlan(const Description& description, const ParamDesc& param,
+                 const std::array<float, 4>& now, const std::array<float, 4>& next)
+{
+    if (param.bind == Bind::define) return true;
+    for (const GeneratedDesc& generated : description.generated)
+        if (generated.count_param.name == param.name) return true;
+    for (const TargetDesc& target : description.targets)
+        if (target.size.scale_param.name == param.name || target.samples_param.name == param.name)
+            return true;
+    for (const PassDesc& pass : description.passes) {
+        if (pass.frustum_scale_param.name == param.name) return true;
+        for (const NoOpDesc& no_op : pass.no_op)
+            if (no_op.name == param.name &&
+                isAll(now, param.type, no_op.at) != isAll(next, param.type, no_op.at))
+                return true;
+    }
+    return false;
+}
+
 Diagnostic unknown(Code code, const char* what, std::string_view name,
                    std::vector<std::string> names, const char* heading)
 {
@@ -28,25 +48,6 @@ Status withCompiled(const Status& status, const Execution& execution, const std:
 }
 
 }  // namespace
-
-bool changesPlan(const Description& description, const ParamDesc& param,
-                 const std::array<float, 4>& now, const std::array<float, 4>& next)
-{
-    if (param.bind == Bind::define) return true;
-    for (const GeneratedDesc& generated : description.generated)
-        if (generated.count_param.name == param.name) return true;
-    for (const TargetDesc& target : description.targets)
-        if (target.size.scale_param.name == param.name || target.samples_param.name == param.name)
-            return true;
-    for (const PassDesc& pass : description.passes) {
-        if (pass.frustum_scale_param.name == param.name) return true;
-        for (const NoOpDesc& no_op : pass.no_op)
-            if (no_op.name == param.name &&
-                isAll(now, param.type, no_op.at) != isAll(next, param.type, no_op.at))
-                return true;
-    }
-    return false;
-}
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
@@ -125,61 +126,82 @@ const FrameTimes* Renderer::times() const { return state_->execution->times(); }
 
 void Renderer::takeTimes() { state_->execution->takeTimes(); }
 
-Status Renderer::setParam(std::string_view name, const float* values, int count)
+Status Renderer::State::setParam(ParamDesc& param, const std::array<float, 4>& value)
 {
-    std::vector<ParamDesc>& params = state_->description.params;
-    const int index = indexOf(params, name);
-    if (index < 0) return unknown(Code::unknown_param, "param", name, namesOf(params), "params");
-    ParamDesc* const param = &params[index];
-    if (Status status = checkValue(*param, values, count); !status) return status;
-
-    const auto units = [&] {
-        return sceneUnits(*param, state_->traits, state_->options.extent.height);
-    };
-    const std::array<float, 4> old = param->value, before = units();
-    param->value = {};
-    std::copy(values, values + count, param->value.begin());
-    if (param->value == old) return {};
-    const std::array<float, 4> next = units();
-    const bool replans = changesPlan(state_->description, *param, before, next);
-    const bool reformats =
-        param->semantic == ParamSemantic::length && !state_->formatsHold(state_->traits);
+    const std::array<float, 4> old = param.value, before = units(param);
+    param.value = value;
+    if (value == old) return {};
+    const std::array<float, 4> next = units(param);
+    const bool replans = changesPlan(description, param, before, next);
+    const bool reformats = param.semantic == ParamSemantic::length && !formatsHold(traits);
     if (!reformats && !replans) {
-        state_->execution->setParam(name, next.data());
-        state_->setParamOfLevels(name, values, count);
+        execution->setParam(param.name, next.data());
         return {};
     }
-    Description description = state_->description;
-    param->value = old;  // which stays where there is no plan for the next
-    const std::string cause = param->bind == Bind::define
-                                  ? "param '" + param->name + "' is bound as a define"
-                              : reformats ? "param '" + param->name + "' wants other formats"
-                                          : "param '" + param->name + "' brought passes back";
-    const Named at = *param;
-    const Status status = state_->replan(std::move(description), state_->options);
-    if (status) state_->setParamOfLevels(at.name, values, count);
-    return withCompiled(status, *state_->execution, cause, at);
+    Description changed = description;
+    param.value = old;  // which stays where there is no plan for the next
+    const std::string cause = param.bind == Bind::define
+                                  ? "param '" + param.name + "' is bound as a define"
+                              : reformats ? "param '" + param.name + "' wants other formats"
+                                          : "param '" + param.name + "' brought passes back";
+    const Named at = param;
+    const Status status = replan(std::move(changed), options);
+    return withCompiled(status, *execution, cause, at);
+}
+
+Status Renderer::setParam(std::string_view name, const float* values, int count)
+{
+    State& state = *state_;
+    std::array<float, 4> value = {};
+    const auto status = state.changeAll(
+        &Description::params, name,
+        [&](const ParamDesc& each) { return checkValue(each, values, count); },
+        [&](ParamDesc& own) {
+            std::copy(values, values + count, value.begin());
+            return state.setParam(own, value);
+        },
+        [&](Description& level, ParamDesc& param) {
+            const std::array<float, 4> before = state.units(param);
+            param.value = {};
+            std::copy(values, values + count, param.value.begin());
+            return changesPlan(level, param, before, state.units(param));
+        });
+    if (status) return *status;
+    return unknown(Code::unknown_param, "param", name, namesOf(state.description.params), "params");
 }
 
 Status Renderer::setFeature(std::string_view name, std::string_view value)
 {
-    const std::vector<FeatureDesc>& features = state_->description.features;
-    const FeatureDesc* feature = findNamed(features, name);
-    if (!feature)
-        return unknown(Code::feature_missing, "feature", name, namesOf(features), "features");
-    const auto& all = feature->values;
-    const auto word = std::find(all.begin(), all.end(), value);
-    if (word == all.end())
-        return unknown(Code::feature_value, "value", value, all, feature->name.c_str());
-    const int index = static_cast<int>(word - all.begin());
-    if (index == feature->value) return {};
-    Description description = state_->description;
-    description.features[feature - features.data()].value = index;
-    applyLevel(description, feature->name);
-    const Named at = *feature;
-    const Status status = state_->replan(std::move(description), state_->options);
-    if (status) state_->setFeatureOfLevels(at.name, std::string(value));
-    return withCompiled(status, *state_->execution, "feature '" + at.name + "' is a define", at);
+    State& state = *state_;
+    const std::string word(value);
+    const auto indexIn = [&](const FeatureDesc& each) {
+        const auto found = std::find(each.values.begin(), each.values.end(), word);
+        return static_cast<int>(found - each.values.begin());
+    };
+    const auto status = state.changeAll(
+        &Description::features, name,
+        [&](const FeatureDesc& each) -> Status {
+            if (indexIn(each) < static_cast<int>(each.values.size())) return {};
+            return unknown(Code::feature_value, "value", word, each.values, each.name.c_str());
+        },
+        [&](const FeatureDesc& own) -> Status {
+            if (own.value == indexIn(own)) return {};
+            Description changed = state.description;
+            State::find(changed.features, own.name)->value = indexIn(own);
+            applyLevel(changed, own.name);
+            const Named at = own;
+            const Status planned = state.replan(std::move(changed), state.options);
+            return withCompiled(planned, *state.execution, "feature '" + at.name + "' is a define",
+                                at);
+        },
+        [&](Description& level, FeatureDesc& feature) {
+            feature.value = indexIn(feature);
+            applyLevel(level, feature.name);
+            return true;
+        });
+    if (status) return *status;
+    return unknown(Code::feature_missing, "feature", name, namesOf(state.description.features),
+                   "features");
 }
 
 Status Renderer::reload(Description description, const CompileOptions& options)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a renderer is made of: a description, its plan's objects, and levels that are ready.
+// What a renderer is made of: a description, its plan's objects, and levels that may be drawn.
 #pragma once
 
 #include <crevice/renderer.h>
@@ -12,17 +12,14 @@
 
 namespace crevice {
 
-/// Whether a plan made with the param's value `now` does not hold for `next`.
-bool changesPlan(const Description& description, const ParamDesc& param,
-                 const std::array<float, 4>& now, const std::array<float, 4>& next);
-
 struct Renderer::State {
-    /// A description that may take the place of the present one at once.
+    /// A description that may take the place of the present one.
     struct Level {
         Description description;
-        Values loaded = {};                 ///< Those that its config gave.
-        std::optional<Plan> plan = {};      ///< For the size and traits of now.
-        Execution::Programs programs = {};  ///< Of the plan, so that nothing drops them.
+        std::string label;  ///< "level 0, 'mobile'", for messages.
+        Values loaded;      ///< Those that its config gave.
+        Execution::Programs programs =
+            {};  ///< For size and traits of now, so that none is dropped.
     };
 
     Device* device;
@@ -42,19 +39,12 @@ struct Renderer::State {
     {
         Result<Plan> plan = compile(other, scene, device->caps(), with_options);
         if (!plan) return plan.diagnostics();
-        Result<State> made =
-            with(std::move(other), std::move(*plan), with_options, scene, remember);
-        if (!made) return made.diagnostics();
-        return {std::move(*made), plan.diagnostics()};
-    }
-    Result<State> with(Description other, Plan plan, const CompileOptions& with_options,
-                       const SceneTraits& scene, bool remember) const
-    {
-        auto made = Execution::create(*device, std::move(plan), execution.get(), remember);
+        auto made = Execution::create(*device, std::move(*plan), execution.get(), remember);
         if (!made) return made.diagnostics();
         if (timing) (void)(*made)->setTiming(true);
-        return State{device,           loaded, std::move(other), with_options, scene,
-                     std::move(*made), timing};
+        return {
+            State{device, loaded, std::move(other), with_options, scene, std::move(*made), timing},
+            plan.diagnostics()};
     }
 
     /// Takes the place of this one, and its levels.
@@ -65,14 +55,60 @@ struct Renderer::State {
         *this = std::move(next);
     }
 
-    /// Plans a level, or all, and compiles their programs. Errors: those of `create`; what fails
-    /// has no plan then. levels.cpp has both.
+    /// Compiles the programs of a level. Errors: those of `create`. levels.cpp has it.
     Status ready(Level& each);
-    Diagnostics readyLevels();
 
-    /// Sets a param or feature in those levels that have it and take the value.
-    void setParamOfLevels(std::string_view name, const float* values, int count);
-    void setFeatureOfLevels(std::string_view name, const std::string& word);
+    /// ... Of all of them. Warns of what fails.
+    Diagnostics readyLevels()
+    {
+        Diagnostics warnings;
+        for (Level& each : levels)
+            if (const Status status = ready(each); !status)
+                for (const Diagnostic& error : status.diagnostics())
+                    warnings.push_back(asWarning(error));
+        return warnings;
+    }
+
+    /// That of the name, or null.
+    template <class T>
+    static T* find(std::vector<T>& list, std::string_view name)
+    {
+        const int index = indexOf(list, name);
+        return index < 0 ? nullptr : &list[index];
+    }
+
+    /// Changes the entry `name` of a list wherever there is one, if all of them pass `check`: what
+    /// is drawn by `draw`, then levels by `change`, true where their plan is another then. Nothing
+    /// where there is no entry. Warns of levels that fail.
+    template <class T, class Check, class Draw, class Change>
+    std::optional<Status> changeAll(std::vector<T> Description::*list, std::string_view view,
+                                    const Check& check, const Draw& draw, const Change& change)
+    {
+        const std::string name(levels.empty() ? "" : view);  // which may be the old plan's
+        T* const own = find(description.*list, view);
+        bool known = own != nullptr, changed = false;
+        Status status = own ? check(*own) : Status();
+        for (const Level& each : levels) {
+            const T* const found = findNamed(each.description.*list, view);
+            known = known || found;
+            if (found && status) status = check(*found);
+        }
+        if (!known) return std::nullopt;
+        if (status && own) status = draw(*own);
+        if (!status) return status;
+        for (Level& each : levels)
+            if (T* const found = find(each.description.*list, name))
+                changed = change(each.description, *found) || changed;
+        Diagnostics all = status.diagnostics();
+        if (changed) append(all, readyLevels());
+        return all;
+    }
+
+    Status setParam(ParamDesc& param, const std::array<float, 4>& value);
+    std::array<float, 4> units(const ParamDesc& param) const
+    {
+        return sceneUnits(param, traits, options.extent.height);
+    }
 
     /// Compiles the programs of all words that set values, so that setting one compiles none, and
     /// makes the levels ready. Warns of what fails.
@@ -103,13 +139,10 @@ struct Renderer::State {
     /// Whether the plan's formats are those chosen for such a scene. Allocates nothing.
     bool formatsHold(const SceneTraits& scene) const
     {
-        return formatsHold(description, execution->plan(), scene);
-    }
-    bool formatsHold(const Description& of, const Plan& plan, const SceneTraits& scene) const
-    {
+        const Plan& plan = execution->plan();
         return allOf(plan.targets, [&](const PlanTarget& target) {
-            const TargetDesc& desc = *findNamed(of.targets, target.name);
-            return chooseFormat(of, desc, scene, device->caps(), options.extent.height) ==
+            const TargetDesc& desc = *findNamed(description.targets, target.name);
+            return chooseFormat(description, desc, scene, device->caps(), options.extent.height) ==
                    plan.textures[target.texture].format;
         });
     }

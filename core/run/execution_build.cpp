@@ -14,11 +14,6 @@ bool uses(const Plan& plan, InputKind kind)
     return false;
 }
 
-bool remembersAny(const Plan& plan)
-{
-    return anyOf(plan.targets, [](const auto& target) { return target.history_texture >= 0; });
-}
-
 PassInfo passInfo(const PlanPass& pass)
 {
     PassInfo info;
@@ -58,28 +53,25 @@ Result<std::unique_ptr<Execution>> Execution::create(Device& device, Plan plan,
 /// what the first frame reads. Both executions have the textures then; only one may go on.
 void Execution::takeHistories(const Execution& previous)
 {
-    const auto same = [&](const PlanTexture& own, const PlanTexture& other) {
-        return own.format == other.format && own.extent == other.extent &&
-               own.copies == other.copies;
-    };
-    const auto there = [&](const PlanTarget& target) {
-        const PlanTarget* const other = findNamed(previous.plan_.targets, target.name);
-        return target.history_texture < 0 ||
-               (other && other->history_texture >= 0 &&
-                same(plan_.textures[target.texture], previous.plan_.textures[other->texture]));
-    };
-    remembers_ = previous.remembers_ && plan_.views == previous.plan_.views &&
-                 remembersAny(plan_) && allOf(plan_.targets, there);
-    if (!remembers_) return;
-    views_ = previous.views_;
+    bool all = previous.remembers_ && plan_.views == previous.plan_.views;
+    std::vector<std::vector<SharedTexture>> taken = textures_;
     for (const PlanTarget& target : plan_.targets) {
-        if (target.history_texture < 0) continue;
-        const PlanTarget& other = *findNamed(previous.plan_.targets, target.name);
-        textures_[target.texture] = previous.textures_[other.texture];
-        textures_[target.history_texture] = previous.textures_[other.history_texture];
-        if (previous.swapped_)
-            std::swap(textures_[target.texture], textures_[target.history_texture]);
+        if (target.history_texture < 0 || !all) continue;
+        remembers_ = true;
+        const PlanTarget* const other = findNamed(previous.plan_.targets, target.name);
+        all = other && other->history_texture >= 0;
+        if (!all) break;
+        const PlanTexture& own = plan_.textures[target.texture];
+        const PlanTexture& last = previous.plan_.textures[other->texture];
+        all = own.format == last.format && own.extent == last.extent && own.copies == last.copies;
+        taken[target.texture] = previous.textures_[other->texture];
+        taken[target.history_texture] = previous.textures_[other->history_texture];
+        if (previous.swapped_) std::swap(taken[target.texture], taken[target.history_texture]);
     }
+    remembers_ = remembers_ && all;
+    if (!remembers_) return;
+    textures_ = std::move(taken);
+    views_ = previous.views_;
 }
 
 Status Execution::createTextures()

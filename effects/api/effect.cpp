@@ -120,33 +120,47 @@ struct Effect::State {
     /// Null without one, and where a reload took its levels away.
     Governor* governing() { return governor && renderer->level() >= 0 ? &*governor : nullptr; }
 
+    /// Goes to a level; one that cannot be drawn is a warning, and the old one stays.
+    Diagnostics goTo(int level)
+    {
+        const int drawn = renderer->level();
+        Diagnostics found = renderer->setLevel(level).diagnostics();
+        if (hasErrors(found) && level == governor->level()) governor->stayAt(drawn);
+        for (Diagnostic& each : found) each.severity = Severity::warning;
+        return found;
+    }
+
     /// Draws each level once, in frames without a history, and the governor's last.
     Status tour()
     {
         const bool cut = std::exchange(frame.camera_cut, true);
         const int levels = static_cast<int>(governor->levels().size());
-        Status status;
-        for (int i = 0; status && i <= levels; ++i) {
-            status = renderer->setLevel(i < levels ? i : governor->level());
-            if (status) status = renderer->render(frame);
+        Diagnostics all;
+        Status drawn;
+        for (int i = 0; drawn && i <= levels; ++i) {
+            append(all, goTo(i < levels ? i : governor->level()));
+            drawn = renderer->render(frame);
         }
         frame.camera_cut = cut;
-        has_toured = status.ok();
-        return status;
+        has_toured = drawn.ok();
+        if (!drawn) return drawn;
+        append(all, drawn.diagnostics());
+        return all;
     }
 
-    /// Tells the governor the latest time, and goes to its level; one that cannot be drawn warns.
-    Diagnostics followBudget()
+    /// Draws the level that the latest time leads to.
+    Status drawGoverned()
     {
+        if (!has_toured) return tour();
         renderer->takeTimes();
         const FrameTimes* const times = renderer->times();
-        const int drawn = renderer->level();
         if (times && times->count != std::exchange(times_taken, times->count))
-            governor->addTime(times->total_ms, drawn);
-        Diagnostics found = renderer->setLevel(governor->level()).diagnostics();
-        if (hasErrors(found)) governor->stayAt(drawn);
-        for (Diagnostic& each : found) each.severity = Severity::warning;
-        return found;
+            governor->addTime(times->total_ms, renderer->level());
+        Diagnostics all = goTo(governor->level());
+        const Status drawn = renderer->render(frame);
+        if (!drawn) return drawn;
+        append(all, drawn.diagnostics());
+        return all;
     }
 
     /// A view of the projection's own hand.
@@ -264,10 +278,8 @@ Status Effect::render()
     for (const State::SetTexture& texture : state_->textures)
         if (texture.id && texture.host.copied())
             if (Status status = state_->device.refresh(texture.id); !status) return status;
-    if (state_->governing() && !state_->has_toured) return state_->tour();
-    Diagnostics all = state_->governing() ? state_->followBudget() : Diagnostics();
-    append(all, state_->renderer->render(state_->frame).diagnostics());
-    const Status status = all;
+    const Status status =
+        state_->governing() ? state_->drawGoverned() : state_->renderer->render(state_->frame);
     if (!status || std::exchange(state_->has_drawn, true) || state_->has_projection) return status;
     Diagnostics diagnostics = status.diagnostics();
     append(diagnostics, checkProjection(state_->renderer->description(), state_->frame.camera));
@@ -280,17 +292,16 @@ Status Effect::govern(std::vector<FrontLevel> levels, const GovernorOptions& opt
     Result<Governor> governor = Governor::create(std::move(levels), options);
     if (!governor) return governor.diagnostics();
     std::vector<Description> descriptions;
-    Diagnostics all;
-    for (const FrontLevel& level : governor->levels()) {
+    const Status loaded = loadLevels(governor->levels(), [&](const FrontLevel& level) -> Status {
         const Limits most = limits ? *limits : Limits();
-        const Result<Node> document =
-            loadConfig(shippedSources(), {level.name, {}, level.set, {}, most});
-        if (!document) return ofLevel(level, document.diagnostics());
-        Result<Description> description = decode(*document, shippedSources(), most);
-        if (!description) return ofLevel(level, description.diagnostics());
-        append(all, ofLevel(level, description.diagnostics()));
-        descriptions.push_back(std::move(*description));
-    }
+        auto document = loadConfig(shippedSources(), {level.name, {}, level.set, {}, most});
+        if (!document) return document.diagnostics();
+        auto description = decode(*document, shippedSources(), most);
+        if (description) descriptions.push_back(std::move(*description));
+        return description.diagnostics();
+    });
+    if (!loaded) return loaded;
+    Diagnostics all = loaded.diagnostics();
     append(all, govern(std::move(*governor), std::move(descriptions)).diagnostics());
     return all;
 }
@@ -302,11 +313,10 @@ Status Effect::govern(Governor governor, std::vector<Description> levels)
     state_->governor = std::move(governor);
     state_->has_toured = false;
     Diagnostics all = status.diagnostics();
-    const Status timing = state_->renderer->setTiming(true);
-    for (Diagnostic each : timing.diagnostics()) {
-        each.help = "hand over times of your own, by Governor::addTime";
-        all.push_back(std::move(each));
-    }
+    append(all, state_->renderer->setTiming(true).diagnostics());
+    for (Diagnostic& each : all)
+        if (each.code == Code::no_timers)
+            each.help = "hand over times of your own, by Governor::addTime";
     return all;
 }
 

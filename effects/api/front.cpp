@@ -29,23 +29,23 @@ Result<SourceRef> openFront(const std::string& front)
                       "name a front, which `crevice choose --write-front FILE` writes"};
 }
 
-/// Reads each entry of a list; what is no list is an error with the sentence `doc`.
-template <class Read>
-void readList(table::Report& report, const table::Cursor& object, const char* key, const char* doc,
-              const Read& each)
+/// The member's value; null where it is missing or, with an error, no list.
+std::optional<table::Cursor> listAt(table::Report& report, const table::Cursor& object,
+                                    const char* key, const char* doc)
 {
     for (const Member& member : object.node.members) {
         if (member.key != key) continue;
         table::Cursor list = object.child(member);
         list.doc = doc;
-        if (list.node.kind != Node::Kind::array)
-            report.atValue(list, Code::wrong_type, list.label + ": wanted a list");
-        for (std::size_t i = 0; i < list.node.items.size(); ++i) each(list.item(i));
+        if (list.node.kind == Node::Kind::array) return list;
+        report.atValue(list, Code::wrong_type, list.label + ": wanted a list");
     }
+    return {};
 }
 
-FrontLevel readLevel(table::Report& report, const table::Cursor& entry)
+FrontLevel readLevel(table::Report& report, table::Cursor entry)
 {
+    entry.key = entry.label = "level";
     FrontLevel level;
     level.place = entry.node.place;
     level.pointer = entry.pointer;
@@ -57,52 +57,34 @@ FrontLevel readLevel(table::Report& report, const table::Cursor& entry)
                  table::required());
     reader.field("error", level.error, "The bench's rmse of AO.", table::required());
     reader.finish();
-    readList(report, entry, "set", kSetDoc, [&](const table::Cursor& item) {
-        table::read(report, item, level.set.emplace_back(), {});
-    });
+    if (const auto set = listAt(report, entry, "set", kSetDoc))
+        for (std::size_t i = 0; i < set->node.items.size(); ++i)
+            table::read(report, set->item(i), level.set.emplace_back(), {});
     return level;
-}
-
-Diagnostic atLevel(const FrontLevel& level, Code code, const std::string& what, const char* help)
-{
-    return {code, "level '" + level.name + "' has " + what, help, level.place, level.pointer};
 }
 
 }  // namespace
 
 Status checkFront(const std::vector<FrontLevel>& levels)
 {
-    if (levels.empty())
-        return Diagnostic{Code::bad_length, "a front has no level", "give it one at least"};
+    if (levels.empty() || levels.size() > kMostLevels)
+        return Diagnostic{Code::bad_length,
+                          "a front has " + std::to_string(levels.size()) + " levels",
+                          "give it 1 to " + std::to_string(kMostLevels)};
     double before = 0;
     for (const FrontLevel& each : levels) {
-        if (!std::isfinite(each.ms) || !std::isfinite(each.error))
-            return atLevel(each, Code::not_finite, "a number that is not finite",
-                           "give milliseconds and an error that was measured");
-        if (each.ms <= before)
-            return atLevel(
-                each, Code::out_of_range,
-                significant(each.ms, 6) + " ms, wanted more than " + significant(before, 6),
-                "give milliseconds above 0, and sort levels by them");
-        if (each.error < 0)
-            return atLevel(each, Code::out_of_range, "an error of " + significant(each.error, 6),
-                           "give the bench's, or 0 where nobody knows it");
+        const bool finite = std::isfinite(each.ms) && std::isfinite(each.error);
+        if (!finite || each.ms <= before || each.error < 0)
+            return Diagnostic{finite ? Code::out_of_range : Code::not_finite,
+                              "level '" + each.name + "' has " + significant(each.ms, 6) +
+                                  " ms and an error of " + significant(each.error, 6) +
+                                  ", wanted more than " + significant(before, 6) +
+                                  " ms and an error of 0 or more",
+                              "sort levels by their milliseconds; an error of 0 is not known",
+                              each.place, each.pointer};
         before = each.ms;
     }
     return {};
-}
-
-Diagnostics ofLevel(const FrontLevel& level, Diagnostics found)
-{
-    for (Diagnostic& each : found) {
-        if (each.place.source) {
-            each.notes.push_back({level.place, "in level '" + level.name + "' of the front"});
-        } else {
-            each.place = level.place;
-            each.pointer = level.pointer;
-        }
-    }
-    return found;
 }
 
 Result<std::vector<FrontLevel>> readFront(const std::string& front)
@@ -123,17 +105,15 @@ Result<std::vector<FrontLevel>> readFront(const std::string& front)
     reader.field("device", device, "On what, for people.");
     reader.field("levels", table::Later(), kLevelsDoc, table::required());
     reader.finish();
+    const auto list = listAt(report, top, "levels", kLevelsDoc);
     std::vector<FrontLevel> levels;
-    readList(report, top, "levels", kLevelsDoc, [&](table::Cursor entry) {
-        entry.key = entry.label = "level";
-        levels.push_back(readLevel(report, entry));
-    });
-    const Diagnostics errors = report.take(*document);
+    for (std::size_t i = 0; list && i < list->node.items.size(); ++i)
+        levels.push_back(readLevel(report, list->item(i)));
+    Diagnostics errors = report.take(*document);
+    if (errors.empty()) errors = checkFront(levels).diagnostics();
+    for (Diagnostic& each : errors)
+        if (!each.place.source && list) each.place = list->node.place;
     if (!errors.empty()) return errors;
-    Diagnostics wrong = checkFront(levels).diagnostics();
-    for (Diagnostic& each : wrong)
-        if (!each.place.source) each.place = document->find("levels")->place;
-    if (!wrong.empty()) return wrong;
     return levels;
 }
 

@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Private to effects/api: what the levels of a front must be, whoever made them.
+// Private to effects/api: what is checked and said of the levels of a front, whoever made them.
 #pragma once
 
 #include <crevice/governor.h>
 
 namespace crevice {
 
-/// Errors: CV3006 for no level; CV4001 for times that are not above 0 or do not rise, and for
-/// errors below 0; CV4003; each at its level.
+/// Errors: those of Governor::create about levels, each at its level.
 Status checkFront(const std::vector<FrontLevel>& levels);
 
-/// What is wrong with a level's config, with the level's place.
-Diagnostics ofLevel(const FrontLevel& level, Diagnostics found);
+/// Loads each level by `load`, of a FrontLevel, which gives a Result of anything. Errors: its own,
+/// with the level's place.
+template <class Load>
+Status loadLevels(const std::vector<FrontLevel>& levels, const Load& load)
+{
+    Diagnostics all;
+    for (const FrontLevel& level : levels) {
+        Status loaded = load(level);
+        for (Diagnostic each : loaded.diagnostics()) {
+            const std::string note = "in level '" + level.name + "' of the front";
+            if (each.place.source)
+                each.notes.push_back({level.place, note});
+            else
+                each.place = level.place;
+            all.push_back(std::move(each));
+        }
+        if (!loaded) break;
+    }
+    return all;
+}
 
 }  // namespace crevice

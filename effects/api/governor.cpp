@@ -38,18 +38,25 @@ double median(std::vector<double> values)
 
 Status checkOptions(const GovernorOptions& options)
 {
-    const auto wrong = [](const std::string& what, const char* help) {
-        return Diagnostic{Code::out_of_range, "the governor's " + what, help};
+    const struct {
+        const char* what;
+        double value;
+        bool good;
+        const char* help;
+    } rows[] = {
+        {"budget", options.budget_ms, options.budget_ms > 0 && std::isfinite(options.budget_ms),
+         "give the milliseconds that a frame's AO may take, above 0"},
+        {"largest error", options.most_error, options.most_error >= 0, "give 0 for none"},
+        {"share", options.share, options.share > 0 && options.share <= 1, "give (0, 1]"},
+        {"wait", double(options.wait), options.wait >= 1 && options.wait <= 1000,
+         "give 1 to 1000 frames"},
     };
-    if (!(options.budget_ms > 0) || !std::isfinite(options.budget_ms))
-        return wrong("budget is " + significant(options.budget_ms, 4) + " ms",
-                     "give the milliseconds that a frame's AO may take, above 0");
-    if (!(options.most_error >= 0))
-        return wrong("largest error is " + significant(options.most_error, 4), "give 0 for none");
-    if (!(options.share > 0 && options.share <= 1))
-        return wrong("share is " + significant(options.share, 4), "give one above 0, up to 1");
-    if (options.wait < 1 || options.wait > 1000)
-        return wrong("wait is " + std::to_string(options.wait), "give 1 to 1000 frames");
+    for (const auto& row : rows)
+        if (!row.good)
+            return Diagnostic{
+                Code::out_of_range,
+                std::string("the governor's ") + row.what + " is " + significant(row.value, 4),
+                row.help};
     return {};
 }
 
@@ -101,9 +108,10 @@ std::size_t Governor::levelBelow(double load) const
 
 void Governor::addTime(double ms, int at)
 {
-    if (at != level() || !(ms > 0) || !std::isfinite(ms)) return;
+    const double load = ms / used_[now_].cost;
+    if (at != level() || !(load > 0) || !std::isfinite(load)) return;
     ms_ = ms;
-    load_ = ms / used_[now_].cost;
+    load_ = load;
     if (loads_.size() < kSettled) loads_.push_back(load_);
     loads_[times_++ % kSettled] = load_;
     if (since_up_ > 0 && ++since_up_ > kSoon * options_.wait) {
@@ -116,14 +124,17 @@ void Governor::addTime(double ms, int at)
     const bool better_fits = better < used_.size();
     calm_ = better_fits ? calm_ + 1 : std::max(0, calm_ - kMisfit);
     if (ms > options_.budget_ms) {
-        const double load = over_load_ > 0 ? std::min(over_load_, load_) : load_;
+        const double least = over_load_ > 0 ? std::min(over_load_, load_) : load_;
         over_load_ = load_;
         heat_ = std::min(heat_ + kHeat, kHot);
-        if (heat_ == kHot) return stepDown(load);
+        if (heat_ == kHot) return stepDown(least);
     } else if (heat_ > 0 && --heat_ == 0) {
         over_load_ = 0;
     }
-    if (better_fits && calm_ >= options_.wait * patience_) stepUp(better);
+    if (!better_fits || calm_ < options_.wait * patience_) return;
+    before_ = median(loads_);
+    since_up_ = 1;
+    go(better);
 }
 
 void Governor::stepDown(double load)
@@ -134,13 +145,6 @@ void Governor::stepDown(double load)
     most_raise_ = since_up_ > 0 && times_ < kSettled ? kByOneStep : 1;
     since_up_ = 0;
     before_ = load_ = load;
-    go(to);
-}
-
-void Governor::stepUp(std::size_t to)
-{
-    before_ = median(loads_);
-    since_up_ = 1;
     go(to);
 }
 
@@ -194,7 +198,7 @@ void Governor::stayAt(int level)
 GovernorReport Governor::report() const
 {
     const FrontLevel& now = levels_[static_cast<std::size_t>(level())];
-    return {level(), ms_, load_ * used_[now_].cost, now.error, estimate_};
+    return {level(), ms_, load_ * used_[now_].cost, now.error};
 }
 
 }  // namespace crevice

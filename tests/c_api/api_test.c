@@ -91,7 +91,6 @@ static void check_nulls(void)
     EXPECT(none, crevice_effect_govern(NULL, NULL));
     EXPECT(none, crevice_effect_add_time(NULL, 1, 0));
     EXPECT(none, crevice_effect_set_budget(NULL, 1));
-    EXPECT(none, crevice_effect_set_estimate(NULL, 0));
     EXPECT(none, crevice_effect_get_governor(NULL, NULL));
     CHECK(crevice_effect_param_count(NULL) == 0);
     EXPECT(none, crevice_effect_get_param(NULL, 0, NULL));

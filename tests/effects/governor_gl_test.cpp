@@ -15,15 +15,6 @@ namespace {
 
 constexpr Extent kExtent = {128, 72};
 
-FrontLevel levelOf(const std::string& config, double ms, std::vector<std::string> set = {})
-{
-    FrontLevel level;
-    level.name = config;
-    level.ms = ms;
-    level.set = std::move(set);
-    return level;
-}
-
 /// A scene in an effect that is governed, and how many programs were asked for.
 struct Governed {
     explicit Governed(std::vector<FrontLevel> levels, KeptPrograms& kept)
@@ -51,9 +42,9 @@ struct Governed {
 
 TEST_CASE("A level is the picture of its config, and no step to it asks for a program")
 {
-    const std::vector<FrontLevel> levels = {levelOf("mobile_low", 1, {"radius=0.5"}),
-                                            levelOf("mobile", 2, {"radius=1", "slices=1"}),
-                                            levelOf("balanced", 3)};
+    const std::vector<FrontLevel> levels = {{{"mobile_low"}, {"radius=0.5"}, 1},
+                                            {{"mobile"}, {"radius=1", "slices=1"}, 2},
+                                            {{"balanced"}, {}, 3}};
     KeptPrograms kept;
     std::vector<Image> wanted;
     for (const FrontLevel& level : levels) {
@@ -77,11 +68,11 @@ TEST_CASE("A level is the picture of its config, and no step to it asks for a pr
 TEST_CASE("A mean over frames goes on at another level of the same shape, and not after a cut")
 {
     KeptPrograms kept;
-    Governed governed({levelOf("gtao_temporal", 1, {"radius=1", "steps=2"}),
-                       levelOf("gtao_temporal", 2, {"radius=1", "steps=4"})},
+    Governed governed({{{"gtao_temporal"}, {"radius=1", "steps=2"}, 1},
+                       {{"gtao_temporal"}, {"radius=1", "steps=4"}, 2}},
                       kept);
     const Image settled = governed.draw(1, 48);
-    Governed fresh({levelOf("gtao_temporal", 1, {"radius=1", "steps=2"})}, kept);
+    Governed fresh({{{"gtao_temporal"}, {"radius=1", "steps=2"}, 1}}, kept);
     fresh.effect.frame().camera_cut = true;
     const double anew = meanChange(fresh.draw(0), settled);
     CHECK(meanChange(governed.draw(0), settled) < 0.5 * anew);

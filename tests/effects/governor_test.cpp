@@ -16,21 +16,12 @@ namespace {
 
 constexpr double kBudget = 3;
 
-FrontLevel levelOf(double ms, double error)
-{
-    FrontLevel level;
-    level.name = "level";
-    level.ms = ms;
-    level.error = error;
-    return level;
-}
-
 /// Levels of rising times and falling errors.
 std::vector<FrontLevel> frontOf(const std::vector<double>& times)
 {
     std::vector<FrontLevel> levels;
     for (const double ms : times)
-        levels.push_back(levelOf(ms, 0.2 / (1.0 + double(levels.size()))));
+        levels.push_back({{"level"}, {}, ms, 0.2 / (1.0 + double(levels.size()))});
     return levels;
 }
 
@@ -97,11 +88,6 @@ Load constant(double load)
     return [load](int) { return load; };
 }
 
-Load step(int at, double before, double after)
-{
-    return [=](int frame) { return frame < at ? before : after; };
-}
-
 }  // namespace
 
 TEST_CASE("Governor: it begins at the best level that fits by the front, within the error's bound")
@@ -114,8 +100,8 @@ TEST_CASE("Governor: it begins at the best level that fits by the front, within 
     Device().run(bound, constant(10), 100);
     CHECK(bound.level() == 2);
     // A level that costs more and errs more is none.
-    Governor dear =
-        need(Governor::create({levelOf(1, 0.1), levelOf(2, 0.3), levelOf(4, 0.05)}, {kBudget}));
+    Governor dear = need(Governor::create(
+        {{{"a"}, {}, 1, 0.1}, {{"b"}, {}, 2, 0.3}, {{"c"}, {}, 4, 0.05}}, {kBudget}));
     CHECK(dear.level() == 0);
     Device device;
     device.costs = {1, 2, 4};
@@ -134,8 +120,9 @@ TEST_CASE("Governor: twice the load is above the budget for a frame once that is
                 device.noise = noise;
                 device.seed = seed;
                 Governor governor = governorOf();
-                const int at = 500;
-                const auto drawn = device.run(governor, step(at, 1, 2), 1000);
+                constexpr int at = 500;
+                const auto drawn = device.run(
+                    governor, [](int f) { return f < at ? 1.0 : 2.0; }, 1000);
                 CHECK(over(drawn, 0) > 0);
                 CHECK(over(drawn, at + latency + 1) <= 3);
                 CHECK(switches(drawn, at) == 1);

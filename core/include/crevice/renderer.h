@@ -85,8 +85,6 @@ public:
     /// Says which format the host's texture for an import has, where it is another than the
     /// config's: shaders allow for its steps. Plans again.
     ///
-    /// It holds for all levels.
-    ///
     /// Errors: CV2102; those of `create`, and then the old format stays.
     Status setImportFormat(std::string_view name, Format format);
 
@@ -106,19 +104,17 @@ public:
     /// Errors: those of `create`; the old description and its pictures stay.
     Status reload(Description description, const CompileOptions& options);
 
-    /// Takes descriptions between which `setLevel` chooses, and puts one in the place of the
-    /// present one. Plans and programs of all are made here, and again where size or traits change,
-    /// so that no switch has to. What is set at run time holds for all levels that have a place for
-    /// it, what was set before too; a warning CV4006 names what has none. Requires one at least.
+    /// Takes descriptions, one at least, between which `setLevel` chooses, and draws one. Programs
+    /// of all are made here, and again where size or traits change. What is set at run time, or was
+    /// before, holds for all levels that have a place for it; a warning CV4006 names what has none.
     ///
     /// Errors: those of `create` for any of them, and CV2102 where they do not take the same of the
     /// host; the old description and its pictures stay.
     Status setLevels(std::vector<Description> levels, int level);
 
-    /// Draws another level. Costs textures and framebuffers, and compiles nothing. Histories go on
-    /// where both levels have the same: of the same names, formats and sizes.
-    ///
-    /// Errors: those of `create`; the old level stays.
+    /// Draws another level. Costs a plan, textures and framebuffers, and compiles no shader.
+    /// Histories of the same names, formats and sizes go on. Errors: those of `create`; the old
+    /// level stays.
     Status setLevel(int index);
 
     /// That is drawn; -1 without levels.

@@ -101,12 +101,10 @@ public:
     Status setFeature(std::string_view name, std::string_view value);
 
     /// Draws the level of a front that fits a budget from now on, in place of the config
-    /// (<crevice/governor.h>). Loads all, and makes their programs; the first frame draws each
-    /// once, so that drivers have nothing left to do when the level changes. Then a change of level
-    /// costs textures, and compiles nothing; histories of the same shape go on. What was set stays,
-    /// and what is set holds for all levels that have it. `render` takes the GPU's times and
-    /// changes the level before it draws; a level that cannot be drawn is a warning then, and the
-    /// old one stays.
+    /// (<crevice/governor.h>). Makes the programs of all, and the first frame draws each once, so
+    /// that a change of level compiles nothing. What was set, or is set, holds for all that have
+    /// it. `render` changes the level before it draws; one that cannot be drawn is a warning, and
+    /// the old one stays.
     ///
     /// Warns with CV6018 where the GPU's time cannot be measured, as on software renderers: hand
     /// over times of your own then, by Governor::addTime.

@@ -6,20 +6,18 @@
 //     effect->render();                       // each frame, at the level that fits
 //     effect->governor()->report();           // level, time, error
 //
-// It is pure: a level in, times of frames in, a level out. It has no clock and no GL, and the same
-// times give the same levels. Times may come some frames late.
+// It has no clock and no GL: the same times give the same levels. Times may come some frames late.
 //
-//   down  at the second time above the budget among three, or where more than every fourth is; so
-//         one slow frame changes nothing. At once to the best level that is predicted to fit: one
-//         frame more is above the budget, once its first time above is known, where ratios hold.
-//         Where the new level is above the budget too, its first time is enough.
+//   down  at the second time above the budget among three, or where more than every fourth is, at
+//         once to the best level that is predicted to fit. One slow frame changes nothing. Where
+//         the new level is above the budget too, its first time is enough.
 //   up    to the next better level that fits, once kept below `share` of the budget in nine of ten
 //         frames, for `wait` frames. Where that was wrong soon, the next wait is twice as long, up
 //         to kMostPatience times `wait`.
 //
-// A prediction for a level is the time of now by the ratio of both levels' times. The front gives
-// the ratios at first; each step corrects them by what was measured before and after it, up to four
-// times either way, so a front of another device will do.
+// A prediction for a level is the time of now by the ratio of both levels' times: the front's,
+// corrected at each step by what was measured, up to four times either way. So a front of another
+// device will do.
 #pragma once
 
 #include <crevice/diagnostic.h>
@@ -34,13 +32,14 @@ struct FrontLevel : Named {
     double error = 0;  ///< Of the bench, above 0; 0 where nobody knows.
 };
 
-/// Reads a front: levels by rising ms, as `crevice choose --write-front` writes them. `front` is a
-/// file's path, or JSON text that begins with '{'.
+/// So many levels may a front have: programs of all are kept.
+constexpr std::size_t kMostLevels = 64;
+
+/// Reads a front, as `crevice choose --write-front` writes it: levels by rising ms. `front` is a
+/// file's path, or JSON text that begins with '{'. `scene`, `size` and `device` may be missing.
 ///
 ///     { "format": "crevice-front-1", "scene": "room", "size": [960, 540], "device": "...",
 ///       "levels": [ {"config": "mobile", "set": ["radius=1"], "ms": 1.1, "error": 0.078}, ... ] }
-///
-/// `scene`, `size` and `device` are for people, and may be missing.
 ///
 /// Errors: CV1201 for no file, those of parseDocument, CV3001 to CV3006 for keys and types, CV4001
 /// for numbers. Whether configs exist, and take what is set, is seen by Effect::govern.
@@ -59,7 +58,6 @@ struct GovernorReport {
     double ms = 0;            ///< The latest time at the level; 0 before there is one.
     double predicted_ms = 0;  ///< What the level is predicted to take; above the budget: none fits.
     double error = 0;         ///< The bench's, as the front has it; 0 where it is not known.
-    double estimate = -1;     ///< The error of now, as the host was told; below 0 where it is not.
 };
 
 class Governor {
@@ -69,8 +67,8 @@ public:
     /// Begins at the best level that fits by the front's times. Levels that have no less error than
     /// a cheaper one are not used.
     ///
-    /// Errors: CV4001 for no level, for options or numbers of a level out of range, for times that
-    /// do not rise, and where no level is as good as `most_error`.
+    /// Errors: CV3006 for no level or more than kMostLevels; CV4001 and CV4003 for numbers out of
+    /// range, for times that do not rise, and where no level is as good as `most_error`.
     static Result<Governor> create(std::vector<FrontLevel> levels, const GovernorOptions& options);
 
     /// The level to draw the next frame at, into `levels`.
@@ -85,10 +83,7 @@ public:
     /// Goes on with another budget. Errors: CV4001 unless it is above 0; the old one stays.
     Status setBudget(double budget_ms);
 
-    /// What the report's `estimate` is from now on: some estimate of the error in the host's scene.
-    void setEstimate(double error) { estimate_ = error; }
-
-    /// Goes on at a level, the one to blame being impossible to draw. Requires one that was drawn.
+    /// Goes on at a level that was drawn, the present one being impossible to draw.
     void stayAt(int level);
 
     GovernorReport report() const;
@@ -106,7 +101,6 @@ private:
     bool fits(std::size_t at, double load) const;
     std::size_t levelBelow(double load) const;
     void stepDown(double load);
-    void stepUp(std::size_t to);
     void go(std::size_t to);
     void learn();
 
@@ -114,7 +108,6 @@ private:
     GovernorOptions options_;
     std::vector<Used> used_;  // from the worst to the best
     std::size_t now_ = 0;     // into used_
-    double estimate_ = -1;
 
     // A load is a time divided by its level's cost: what it was drawn at has gone out of it.
     std::vector<double> loads_;  // the first kSettled at this level, then the last ones, in turn

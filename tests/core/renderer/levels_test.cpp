@@ -88,6 +88,7 @@ TEST_CASE("What is set holds for all levels")
     need(rig.renderer->setFeature("soft", "false"));
     need(rig.renderer->setParam("intensity", 0.0f));  // a no-op: another plan
     need(rig.renderer->setImportFormat("decal", Format::depth32f));
+    need(rig.renderer->resize({32, 32}));
     for (const int level : {0, 2, 1}) {
         need(rig.renderer->setLevel(level));
         rig.draw();
@@ -102,10 +103,32 @@ TEST_CASE("What is set holds for all levels")
     need(rig.renderer->setLevel(0));
     rig.draw();
     CHECK(rig.sent("intensity") == 0.5f);
-    CHECK(rig.sent("radius") == 3);  // of a plan that was there before
+    CHECK(rig.sent("radius") == 3);
     // What was set before there were levels goes on, too.
     need(rig.renderer->setLevels({rigDescription()}, 0));
     CHECK(rig.value("radius") == 3);
+}
+
+TEST_CASE("What one level has already, lacks or refuses is set for all levels, or for none")
+{
+    Rig rig;
+    Description other = levelOf("other", "radius", 2);
+    other.params[indexOf(other.params, "intensity")].max = 2;
+    other.params.push_back(ParamDesc(*findNamed(other.params, "radius")));
+    other.params.back().name = "extra";
+    other.features[indexOf(other.features, "soft")].value = 0;
+    need(rig.renderer->setLevels({levelOf("first", "radius", 1), other}, 0));
+    need(rig.renderer->setParam("radius", 1.0f));
+    need(rig.renderer->setFeature("soft", "true"));
+    need(rig.renderer->setParam("extra", 7.0f));
+    CHECK(onlyCode(rig.renderer->setParam("intensity", 3.0f)) == Code::out_of_range);
+    CHECK(rig.value("intensity") == 1);
+    need(rig.renderer->setLevel(1));
+    CHECK(rig.value("radius") == 1);
+    CHECK(rig.feature("soft") == 1);
+    CHECK(rig.value("extra") == 7);
+    CHECK(rig.value("intensity") == 1);
+    CHECK(onlyCode(rig.renderer->setParam("extras", 7.0f)) == Code::unknown_param);
 }
 
 TEST_CASE("Histories go on from level to level, and end at a cut")
@@ -171,6 +194,11 @@ TEST_CASE("Levels that take other things of the host are refused, and what was t
     Description broken = rigDescription();
     broken.outputs.clear();
     CHECK(codeOf(rig.renderer->setLevels({rigDescription(), broken}, 0)) == Code::no_outputs);
+    rig.device.failAt(2);  // the program of the second
+    const Status failed =
+        rig.renderer->setLevels({levelOf("a", "samples", 16), levelOf("b", "samples", 32)}, 0);
+    CHECK(onlyCode(failed) == Code::out_of_memory);
+    CHECK_THAT(failed.diagnostics()[0].message, Catch::Contains("level 1, 'b': "));
     CHECK(rig.renderer->level() == 1);
     CHECK_FALSE(rig.compiles());
     // One that lacks memory for its textures leaves the level that there is.
@@ -178,4 +206,7 @@ TEST_CASE("Levels that take other things of the host are refused, and what was t
     CHECK_FALSE(rig.renderer->setLevel(1).ok());
     CHECK(rig.renderer->level() == 2);
     rig.draw();
+    rig.device.loseContext();
+    CHECK(onlyCode(rig.renderer->setLevel(1)) == Code::context_lost);
+    CHECK(rig.renderer->level() == 2);
 }

@@ -4,6 +4,9 @@
 
 #include "tests/support/renderer_rig.h"
 
+#include <crevice/effect.h>
+#include <crevice/governor.h>
+
 #include <malloc.h>
 
 #include <atomic>
@@ -98,6 +101,28 @@ TEST_CASE("A frame allocates nothing while camera, draws, lights and params move
         ok = rig.renderer->render(rig.frame).ok() && ok;
     });
     CHECK(count == 0);
+    CHECK(ok);
+}
+
+TEST_CASE("A frame that a governor watches allocates nothing at the level that it keeps")
+{
+    RecordingDevice device;
+    device.setTimers(std::vector<double>(kMaxTimers, 0.1));
+    Effect effect = need(Effect::create(device, "mobile", {64, 36}, {"ao"}));
+    need(effect.govern({{{"mobile_low"}, {}, 1}, {{"mobile"}, {}, 2}}, {1000}));
+    const auto show = [&](int frames) {
+        bool ok = true;
+        for (int i = 0; i < frames; ++i) {
+            device.clearLog();
+            effect.frame().camera.clip_from_view[3][3] += 0.001f;
+            ok = effect.render().ok() && ok;
+        }
+        return ok;
+    };
+    CHECK(show(40));
+    CHECK(effect.governor()->report().ms > 0);
+    bool ok = false;
+    CHECK(allocationsOf([&] { ok = show(10); }) == 0);
     CHECK(ok);
 }
 

@@ -644,37 +644,22 @@ CREVICE_API crevice_error* crevice_effect_get_pass_time(const crevice_effect* ef
 
 // ---- A time budget: the level that fits ---------------------------------------------------------
 
-/// One of the configs that a governor chooses from.
-typedef struct crevice_level {
-    size_t struct_size;
-    const char* config;      ///< As in crevice_effect_desc. Required.
-    const char* const* set;  ///< "radius=1", "quality=low": params and features for it, or null.
-    int set_count;
-    double milliseconds;  ///< GPU time of a frame, above that of the level before; ratios matter.
-    double error;         ///< Of the bench; 0: not known.
-} crevice_level;
-
 /// What a governor is made of. <crevice/governor.h> says how it decides.
 typedef struct crevice_governor_desc {
     size_t struct_size;
-
-    /// A file that `crevice choose --write-front` wrote, or its JSON text; or null, and `levels`.
-    const char* front;
-    const crevice_level* levels;  ///< By rising milliseconds.
-    int level_count;
+    const char* front;  ///< A file of `crevice choose --write-front`, or its JSON text. Required.
     double budget_ms;   ///< GPU time that a frame of the effect may take, above 0. Required.
     double most_error;  ///< Levels of a larger error are not used; 0: all are.
     double share;       ///< Of the budget, within which a better level must stay; 0 is 0.9.
     int wait;           ///< Frames for which it must be predicted to, up to 1000; 0 is 30.
 } crevice_governor_desc;
 
-/// Draws the level that fits the budget from now on, in place of the config, with the folder, patch
-/// and outputs of the effect. Programs of all levels are made here, and the first frame draws each
-/// once; a change of level then compiles nothing and keeps histories of the same shape. What is set
-/// holds for all levels. crevice_effect_reload ends it.
+/// Draws the level of a front that fits the budget from now on, in place of the config, with the
+/// folder, patch and outputs of the effect. Programs of all levels are made here, and the first
+/// frame draws each once. What is set holds for all levels. crevice_effect_reload ends it.
 ///
-/// A warning CV6018 says that the GPU's time cannot be measured, as on software renderers: hand
-/// over times of your own, by crevice_effect_add_time.
+/// Warns with CV6018 where the GPU's time cannot be measured, as on software renderers: hand over
+/// times of your own, by crevice_effect_add_time.
 ///
 /// Errors: those of crevice_effect_create for each level; CV1201 and CV3xxx for the front, CV4001
 /// for numbers out of range, CV2102 for levels that take different textures or draws.
@@ -689,9 +674,6 @@ CREVICE_API crevice_error* crevice_effect_add_time(crevice_effect* effect, doubl
 /// Goes on with another budget, above 0. Errors: CV4001, CV6011.
 CREVICE_API crevice_error* crevice_effect_set_budget(crevice_effect* effect, double milliseconds);
 
-/// What crevice_governor_report has as `estimate` from now on, where you have one. Errors: CV6011.
-CREVICE_API crevice_error* crevice_effect_set_estimate(crevice_effect* effect, double error);
-
 /// What the governor does.
 typedef struct crevice_governor_report {
     size_t struct_size;
@@ -700,7 +682,6 @@ typedef struct crevice_governor_report {
     double milliseconds;  ///< Its latest time; 0 before there is one.
     double predicted_ms;  ///< What it is predicted to take; above the budget: no level fits.
     double error;         ///< The bench's; 0: not known.
-    double estimate;      ///< The error of now, as you said; below 0: you did not.
 } crevice_governor_report;
 
 /// Errors: CV6011 for an effect that is not governed.
