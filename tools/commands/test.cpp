@@ -6,7 +6,7 @@
 #include "tools/measure/matrix/run.h"
 #include "tools/measure/reference/tracer.h"
 #include "tools/render/image/image_file.h"
-#include "tools/show/report/matrix_report.h"
+#include "tools/show/report/page.h"
 
 #include "core/base/text.h"
 
@@ -25,26 +25,25 @@ struct TestOptions {
     MatrixOptions matrix;
     RunMatrixOptions run;
     CacheOptions cache;
-    std::string shard;  ///< "I/N".
-    bool list = false;
+    std::string shard = "1/1";
     bool json = false;
 };
 
 /// Reads "2/4". Errors: CV8001.
 Status readShard(const std::string& text, MatrixOptions& options)
 {
-    if (text.empty()) return {};
-    const std::size_t slash = text.find('/');
-    const auto part = parseNumber(text.substr(0, slash));
-    const auto parts = slash == text.npos ? std::nullopt : parseNumber(text.substr(slash + 1));
-    const auto whole = [](double number) { return number == std::floor(number); };
-    if (!part || !parts || !(*part >= 1 && *part <= *parts && *parts <= 1e6) || !whole(*part) ||
-        !whole(*parts))
-        return Diagnostic{Code::usage, "--shard '" + text + "' is not a part of parts",
-                          "write --shard 1/4 for the first of four"};
-    options.shard = static_cast<std::size_t>(*part);
-    options.shards = static_cast<std::size_t>(*parts);
-    return {};
+    const std::vector<std::string_view> parts = split(text, '/');
+    const auto whole = [&](std::size_t i) {
+        const auto number = i < parts.size() ? parseNumber(std::string(parts[i])) : std::nullopt;
+        return number && *number >= 1 && *number <= 1e6 && *number == std::floor(*number)
+                   ? static_cast<std::size_t>(*number)
+                   : 0;
+    };
+    options.shard = whole(0);
+    options.shards = whole(1);
+    if (options.shard >= 1 && options.shard <= options.shards && parts.size() == 2) return {};
+    return Diagnostic{Code::usage, "--shard '" + text + "' is not a part of parts",
+                      "write --shard 1/4 for the first of four"};
 }
 
 Status writeAll(const MatrixResults& results, const std::string& folder)
@@ -54,13 +53,13 @@ Status writeAll(const MatrixResults& results, const std::string& folder)
          resultsJson(results).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"},
         {"results.tap", tapText(results)},
         {"junit.xml", junitXml(results)},
-        {"index.html", matrixHtml(results)}};
+        {"index.html", pageOf(matrixPage(), resultsJson(results))}};
     for (const auto& [name, text] : files)
         if (const Status written = writeFile(folder + "/" + name, text); !written) return written;
     return {};
 }
 
-void printResults(const MatrixResults& results)
+void printResults(const MatrixResults& results, const std::string& folder)
 {
     for (const CellResult& cell : results.cells)
         for (const CheckResult& check : cell.checks)
@@ -68,60 +67,50 @@ void printResults(const MatrixResults& results)
                 print("%s: %s: %s: %s\n", check.state.c_str(),
                       printableLine(results.matrix.cells[cell.cell].name).c_str(),
                       printableLine(check.title).c_str(), printableLine(check.text).c_str());
+    print(
+        "%zu cells; checks: %s%s; see %s/index.html\n", results.cells.size(),
+        countsOf(results).c_str(),
+        results.kept ? (", " + std::to_string(results.kept) + " cells known already").c_str() : "",
+        printableLine(folder).c_str());
 }
 
-std::string summaryOf(const MatrixResults& results)
+int exitCodeOf(const MatrixResults& results)
 {
-    std::vector<std::string> counts;
-    for (const char* state : {"passed", "failed", "skipped", "new", "changed", "unchanged"})
-        if (const int count = results.count(state))
-            counts.push_back(std::to_string(count) + " " + state);
-    return std::to_string(results.cells.size()) +
-           " cells; checks: " + (counts.empty() ? "none" : joined(counts));
-}
-
-int exitCodeOf(const MatrixResults& results, const MatrixRun& run)
-{
-    if (run.interrupted) return kExitInterrupted;
+    if (results.interrupted) return kExitInterrupted;
     if (results.count("failed") > 0) return kExitDiffers;
-    const bool all_skipped = allOf(results.cells, [](const CellResult& cell) {
-        return allOf(cell.checks,
-                     [](const CheckResult& check) { return check.state == "skipped"; });
-    });
-    return all_skipped && !results.cells.empty() ? kExitMachine : kExitOk;
+    std::size_t checks = 0;
+    for (const CellResult& cell : results.cells) checks += cell.checks.size();
+    const std::size_t skipped = results.count("skipped");
+    return skipped > 0 && skipped == checks ? kExitMachine : kExitOk;
 }
 
-int runTests(TestOptions& options, const Matrix& matrix, const MatrixPlan& plan)
+int runTests(const TestOptions& options, const MatrixPlan& plan)
 {
-    const std::string& folder = options.run.check.out_folder;
     std::error_code ignored;  // the first file reports it
-    if (options.run.check.approve)
-        std::filesystem::create_directories(matrix.approved_folder, ignored);
+    if (options.run.approve)
+        std::filesystem::create_directories(plan.matrix.approved_folder, ignored);
     catchInterrupts();
     Progress progress;
+    RunMatrixOptions run = options.run;
+    run.cache_folder = options.cache.path();
     std::size_t begun = 0;
-    options.run.begin = [&](const std::string& what) {
+    run.begin = [&](const std::string& what) {
         progress.begin("[" + std::to_string(++begun) + "] " + what);
     };
-    Result<MatrixRun> run = runMatrix(plan, options.run);
+    const Result<MatrixResults> results = runMatrix(plan, run);
     progress.wipe();
-    if (!run) return report(run.diagnostics(), options.json);
-    const MatrixResults results{matrix, std::move(run->cells)};
-    if (const Status written = writeAll(results, folder); !written)
+    if (!results) return report(results.diagnostics(), options.json);
+    if (const Status written = writeAll(*results, run.out_folder); !written)
         return report(written.diagnostics(), options.json);
-    if (options.json) {
-        printAsJson(resultsJson(results));
-    } else {
-        printResults(results);
-        print("%s%s; see %s/index.html\n", summaryOf(results).c_str(),
-              run->kept ? (", " + std::to_string(run->kept) + " cells known already").c_str() : "",
-              printableLine(folder).c_str());
-    }
-    if (run->interrupted)
+    if (options.json)
+        printAsJson(resultsJson(*results));
+    else
+        printResults(*results, run.out_folder);
+    if (results->interrupted)
         printMessage(
             "interrupted: %zu cells are missing; run the same command with --resume to go on\n",
-            plan.cells.size() - results.cells.size());
-    return exitCodeOf(results, *run);
+            plan.cells.size() - results->cells.size());
+    return exitCodeOf(*results);
 }
 
 int test(TestOptions& options)
@@ -134,14 +123,7 @@ int test(TestOptions& options)
     const Result<MatrixPlan> plan = planMatrix(*matrix, options.matrix, sources);
     if (!plan) return report(plan.diagnostics(), options.json);
     report(plan->warnings, false);
-    report(unusedApproved(*matrix), false);
-    if (options.list) {
-        for (const std::size_t cell : plan->cells)
-            print("%s\n", printableLine(matrix->cells[cell].name).c_str());
-        return kExitOk;
-    }
-    options.run.check.cache_folder = options.cache.path();
-    return runTests(options, *matrix, *plan);
+    return runTests(options, *plan);
 }
 
 }  // namespace
@@ -151,34 +133,33 @@ void addTestCommand(CLI::App& app, int& exit_code)
     CLI::App* command = app.add_subcommand(
         "test", "Draw configs by a matrix of scenes, params, sizes and backends, and check each");
     auto options = std::make_shared<TestOptions>();
-    options->matrix.version = options->run.version = CREVICE_VERSION;
-    CheckOptions& check = options->run.check;
-    check.out_folder = "crevice_test";
+    RunMatrixOptions& run = options->run;
+    run.version = CREVICE_VERSION;
+    run.out_folder = "crevice_test";
     command->add_option("MATRIX", options->file, "A matrix file")
         ->type_name("FILE.json")
         ->required();
-    addText(*command, "--out", check.out_folder, "FOLDER",
+    addText(*command, "--out", run.out_folder, "FOLDER",
             "Folder for index.html, junit.xml, results.tap, results.json and pictures");
     addText(*command, "--filter", options->matrix.filter, "TEXT",
             "Only cells whose name contains this");
     addText(*command, "--shard", options->shard, "I/N", "Only the I-th of N parts of the cells");
-    command->add_option("--jobs", options->run.jobs, "Processes that draw side by side")
+    command->add_option("--jobs", run.jobs, "Processes that draw side by side")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     CLI::Option* resume = command->add_flag(
-        "--resume", options->run.resume,
+        "--resume", run.resume,
         "Do not draw again what passed before in the same --out, unless something of it changed");
     command
-        ->add_flag("--approve", check.approve,
+        ->add_flag("--approve", run.approve,
                    "Write the approved files that are missing or that their check fails; check "
                    "nothing else")
         ->excludes(resume);
-    command->add_flag("--require-backends", check.require_backends,
+    command->add_flag("--require-backends", run.require_backends,
                       "Fail cells whose backend this machine lacks, instead of skipping them");
     addCacheOptions(*command, options->cache);
     addCheckoutOption(*command, options->matrix.checkout);
     addRootOption(*command, options->matrix.roots);
-    command->add_flag("--list", options->list, "Print the names of the cells and stop");
     command->add_flag("--json", options->json, "Print the results as JSON");
     command->footer(
         "Exit code 5 where a check fails.\n"

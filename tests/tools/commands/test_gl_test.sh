@@ -36,9 +36,7 @@ expect 5 '^failed: gtao, spheres: approved ao: [0-9.]+ % of pixels are off by mo
     --effects edited --out changed
 check "no other config fails" bash -c '! grep -q "failed: learnopengl" stdout.txt'
 check "the page names the cell and has its pictures" bash -c 'grep -q "\"difference\":\"pictures/gtao-spheres" changed/index.html'
-for name in 1.wanted 1.difference; do
-    check "there is the picture: $name" test -s "changed/pictures/gtao-spheres.ao.$name.png"
-done
+check "there is its picture" test -s changed/pictures/gtao-spheres.ao.1.difference.png
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 if [[ -n $browser ]]; then  # the page in a browser: what failed is chosen, and its slider moves the line
     cat >>changed/index.html <<'HTML'
@@ -60,7 +58,6 @@ elif [[ -n ${CREVICE_REQUIRE_BROWSER:-} ]]; then
 fi
 expect 0 'changed: gtao, spheres: approved ao: ' test matrix.json --effects edited --approve --filter gtao --out before_after
 check "the page of before and after has both" test -s before_after/pictures/gtao-spheres.ao.1.wanted.png
-expect 5 'failed: gtao, spheres: ' test matrix.json
 expect 0 'changed: gtao, spheres' test matrix.json --approve
 touch approved/gone.ao.png
 expect 0 "CV2108: no cell has these approved files: gone.ao.png" test matrix.json
@@ -115,14 +112,10 @@ in vec2 uv;
 layout(location = 0) out float ao_filtered;
 void main() { ao_filtered = sqrt(texture(ao, uv).r - 1.0) + 0.5; }
 GLSL
-cat >nan.json <<'JSON'
-{
-  "format": 1, "name": "nan", "description": "Writes NaN.", "extends": ["geometry/depth_normal", "ssao/gtao"],
+echo '{"format": 1, "name": "nan", "description": "Writes NaN.", "extends": ["geometry/depth_normal", "ssao/gtao"],
   "targets": {"ao_filtered": {"format": ["r32f", "r16f"]}},
-  "shaders": {"spoil": {"vertex": "common/fullscreen.vert", "fragment": "./nan.frag"}},
-  "passes": {"spoil": {"type": "fullscreen", "shader": "spoil", "color": ["ao_filtered"]}}, "outputs": {"ao": "ao_filtered"}
-}
-JSON
+  "shaders": {"spoil": {"vertex": "common/fullscreen.vert", "fragment": "./nan.frag"}}, "outputs": {"ao": "ao_filtered"},
+  "passes": {"spoil": {"type": "fullscreen", "shader": "spoil", "color": ["ao_filtered"]}}}' >nan.json
 echo '{"format": 1, "configs": ["nan.json"], "scenes": ["spheres"], "sizes": ["96x64"], "checks": [{"finite": true},
     {"range": [0, 1]}, {"background": 1}, {"open": {"least": 0.6, "rays": 16}}, {"approved": {"max": 1, "share": 1}}]}' >nan_matrix.json
 "$crevice" test nan_matrix.json --approve >/dev/null 2>&1
@@ -131,8 +124,6 @@ expect 5 '^1 cells; checks: 5 failed' test nan_matrix.json --no-cache
 # --- mistakes in the file end before anything is drawn ---
 sed 's/"where"/"were"/; s/"gtao"/"gtoa"/' compared.json >wrong.json
 expect 1 "wrong.json:[0-9]+:[0-9]+: error CV3001: 'were' is no key of a check" test wrong.json --out never
-sed 's/"learnopengl"\], "scenes"/"nothing.json"], "scenes"/' matrix.json >wrong.json
-expect 1 "wrong.json:2:.*CV1201|wrong.json:2:" test wrong.json --out never
 check "nothing was drawn" test ! -e never
 
 # --- a backend that is not there ---

@@ -10,6 +10,11 @@
 namespace crevice {
 namespace {
 
+bool matches(const MatrixWhere& where, const MatrixChoice& choice)
+{
+    return allOf(where, [&](const auto& each) { return each.second.count(choice[each.first]); });
+}
+
 /// What files may be called: others become '_'.
 std::string fileName(const std::string& name)
 {
@@ -50,13 +55,11 @@ std::vector<MatrixChoice> combinations(const Matrix& matrix)
             }
         all = std::move(more);
     }
-    const auto any = [](const std::vector<MatrixWhere>& list, const MatrixChoice& choice) {
-        return anyOf(list, [&](const MatrixWhere& where) { return matches(where, choice); });
-    };
-    eraseIf(all, [&](const MatrixChoice& choice) {
-        return any(matrix.except, choice) ||
-               (!matrix.listed.empty() && !any(matrix.listed, choice));
-    });
+    if (!matrix.listed.empty())
+        eraseIf(all, [&](const MatrixChoice& choice) {
+            return !anyOf(matrix.listed,
+                          [&](const MatrixWhere& where) { return matches(where, choice); });
+        });
     return all;
 }
 
@@ -93,59 +96,43 @@ std::vector<MatrixChoice> coverPairs(const std::vector<MatrixChoice>& all)
     return cover;
 }
 
-/// Which checks are for the cell. Comparing a cell with itself says nothing.
-std::vector<std::size_t> checksFor(const Matrix& matrix, const MatrixChoice& choice)
+Diagnostic unused(std::string message, std::string help, const Place& place)
 {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < matrix.checks.size(); ++i) {
-        const MatrixCheck& check = matrix.checks[i];
-        const bool itself = !check.other.empty() && otherChoice(check, choice) == choice;
-        if (matches(check.where, choice) && !itself) found.push_back(i);
-    }
-    return found;
+    return {Code::unused_name, std::move(message), std::move(help), place};
 }
 
 Diagnostics checkLayout(const Matrix& matrix)
 {
     Diagnostics errors;
     std::set<std::size_t> used;
-    std::map<std::string, const MatrixCell*> files;
-    std::vector<const MatrixCell*> unchecked;
+    std::map<std::string, std::string> files;
+    std::vector<std::string> unchecked;
+    const Place& configs = matrix.axes[kConfigAxis].values[0].place;
     for (const MatrixCell& cell : matrix.cells) {
         used.insert(cell.checks.begin(), cell.checks.end());
-        if (cell.checks.empty()) unchecked.push_back(&cell);
-        const auto [known, is_new] = files.try_emplace(cell.file, &cell);
+        if (cell.checks.empty()) unchecked.push_back(cell.name);
+        const auto [known, is_new] = files.try_emplace(cell.file, cell.name);
         if (!is_new)
             errors.push_back(
                 {Code::name_collision,
-                 "the cells '" + known->second->name + "' and '" + cell.name +
+                 "the cells '" + known->second + "' and '" + cell.name +
                      "' would both have the file name '" + cell.file + "'",
-                 "name their values by an object: \"cameras\": {\"left\": \"eye=...\"}",
-                 matrix.value(cell.choice, kConfigAxis).place});
+                 "name their values by an object: \"cameras\": {\"left\": \"eye=...\"}", configs});
     }
     for (std::size_t i = 0; i < matrix.checks.size(); ++i)
         if (used.count(i) == 0)
-            errors.push_back({Code::unused_name, "no cell matches this check",
-                              "change its `where`, or leave it out", matrix.checks[i].place});
+            errors.push_back(unused("no cell matches this check",
+                                    "change its `where`, or leave it out", matrix.checks[i].place));
     if (!unchecked.empty())
-        errors.push_back({Code::unused_name,
-                          "no check is for " + std::to_string(unchecked.size()) +
-                              " cells, of which the first is '" + unchecked[0]->name + "'",
-                          "add one whose `where` they match, such as {\"finite\": true}, or leave "
-                          "them out by `except`",
-                          matrix.value(unchecked[0]->choice, kConfigAxis).place});
-    if (matrix.cells.empty())
-        errors.push_back({Code::unused_name, "no cell is left", "change `cells` and `except`",
-                          matrix.value(MatrixChoice(matrix.axes.size()), kConfigAxis).place});
+        errors.push_back(unused("no check is for " + std::to_string(unchecked.size()) +
+                                    " cells, of which the first is '" + unchecked[0] + "'",
+                                "add one whose `where` they match, such as {\"finite\": true}, or "
+                                "leave them out of `cells`",
+                                configs));
     return errors;
 }
 
 }  // namespace
-
-bool matches(const MatrixWhere& where, const MatrixChoice& choice)
-{
-    return allOf(where, [&](const auto& each) { return each.second.count(choice[each.first]); });
-}
 
 MatrixChoice otherChoice(const MatrixCheck& check, MatrixChoice choice)
 {
@@ -158,25 +145,19 @@ std::string cellName(const Matrix& matrix, const MatrixChoice& choice)
     return choiceName(matrix, choice, ", ", choice.size());
 }
 
-std::pair<std::size_t, std::size_t> shardOf(std::size_t count, std::size_t shard,
-                                            std::size_t shards)
-{
-    return {count * (shard - 1) / shards, count * shard / shards};
-}
-
 Diagnostics layOutCells(Matrix& matrix)
 {
-    const std::size_t nowhere = matrix.axes.size();
-    const std::size_t shared = matrix.approved_by_backend ? nowhere : std::size_t{kBackendAxis};
     std::vector<MatrixChoice> all = combinations(matrix);
     if (matrix.pairwise) all = coverPairs(all);
-    for (MatrixChoice& choice : all) {
-        MatrixCell cell;
-        cell.choice = choice;
-        cell.name = cellName(matrix, choice);
-        cell.file = fileName(choiceName(matrix, choice, "-", nowhere));
-        cell.approved = fileName(choiceName(matrix, choice, "-", shared));
-        cell.checks = checksFor(matrix, choice);
+    for (const MatrixChoice& choice : all) {
+        MatrixCell cell{choice, cellName(matrix, choice)};
+        cell.file = fileName(choiceName(matrix, choice, "-", matrix.axes.size()));
+        cell.approved = fileName(choiceName(matrix, choice, "-", kBackendAxis));
+        for (std::size_t i = 0; i < matrix.checks.size(); ++i) {
+            const MatrixCheck& check = matrix.checks[i];
+            const bool itself = !check.other.empty() && otherChoice(check, choice) == choice;
+            if (matches(check.where, choice) && !itself) cell.checks.push_back(i);
+        }
         matrix.cells.push_back(std::move(cell));
     }
     return checkLayout(matrix);

@@ -15,11 +15,11 @@ namespace crevice {
 enum MatrixAxisIndex {
     kConfigAxis,
     kVariantAxis,
-    kSetAxis,
     kSceneAxis,
     kCameraAxis,
     kSizeAxis,
-    kBackendAxis
+    kBackendAxis,
+    kParamAxes
 };
 
 /// More combinations than anybody waits for.
@@ -27,10 +27,8 @@ constexpr std::size_t kMaxMatrixCells = 20000;
 
 struct MatrixValue {
     std::string name;  ///< As cells are called by it; empty for none of an axis.
-    /// A config, variant, scene, camera, size or backend; files are seen from the current folder.
-    std::string text;
-    std::vector<std::string> overrides = {};  ///< Of a set or a param, as `--set` has them.
-    Place place = {};
+    std::string text;  ///< As options have it; files are seen from the current folder.
+    Place place;
 };
 
 struct MatrixAxis {
@@ -38,53 +36,47 @@ struct MatrixAxis {
     std::vector<MatrixValue> values;
 };
 
+/// One value of each axis, by indexes.
+using MatrixChoice = std::vector<std::size_t>;
+
 /// Some values of some axes, by indexes; an axis that it does not have is free.
 using MatrixWhere = std::map<std::size_t, std::set<std::size_t>>;
 
 enum class CheckKind { approved, truth, same, plan, time, finite, range, background, open };
 
 struct MatrixCheck {
-    CheckKind kind = CheckKind::finite;
-    std::string output = "ao";
-    MatrixWhere where = {};
-    MatrixWhere other = {};  ///< Of `same` and `time`: one value of each axis that differs.
-    std::map<std::string, double> numbers = {};  ///< Those given, and the defaults of others.
-    Place place = {};
-    std::string text = {};  ///< The check as JSON.
+    CheckKind kind;
+    std::string title;                      ///< "approved ao", "plan".
+    std::string output;                     ///< Empty for all of a plan.
+    MatrixWhere where = {};                 ///< The cells that it is for.
+    MatrixWhere other = {};                 ///< Of `same` and `time`: one value of what differs.
+    std::map<std::string, double> numbers;  ///< Those given, and the defaults of others.
+    Place place;
+    std::string text;  ///< The check as JSON.
 
-    bool has(const char* key) const { return numbers.count(key) > 0; }
-    double operator[](const char* key) const { return numbers.at(key); }
-
-    /// "approved ao", "plan".
-    std::string title() const;
+    bool has(const std::string& key) const { return numbers.count(key) > 0; }
+    double operator[](const std::string& key) const { return numbers.at(key); }
 
     /// Whether it has an approved file.
     bool isApproved() const { return kind == CheckKind::approved || kind == CheckKind::plan; }
 };
 
-/// One value of each axis, by indexes.
-using MatrixChoice = std::vector<std::size_t>;
-
 struct MatrixCell {
     MatrixChoice choice;
-    std::string name;      ///< "gtao, room, egl": of axes with several values.
-    std::string file;      ///< The same for files: "gtao-room-egl".
-    std::string approved;  ///< That of its approved files, without folder and ending.
+    std::string name;                      ///< "gtao, room, egl": of axes with several values.
+    std::string file = {};                 ///< The same for files: "gtao-room-egl".
+    std::string approved = {};             ///< That of its approved files, which backends share.
     std::vector<std::size_t> checks = {};  ///< Into Matrix::checks.
 };
 
 struct Matrix {
     std::string file;
-    std::vector<MatrixAxis> axes;
-    std::vector<MatrixCheck> checks;
-    std::string approved_folder;
-    std::string approved_format = "png";
-    bool approved_by_backend = false;
+    std::vector<MatrixAxis> axes = {};
+    std::vector<MatrixCheck> checks = {};
+    std::string approved_folder = {}, approved_format = "png";
     bool pairwise = false;
     std::vector<MatrixWhere> listed = {};  ///< Empty: all.
-    std::vector<MatrixWhere> except = {};
-    /// In an order in which neighbours share backend, scene, camera and size.
-    std::vector<MatrixCell> cells = {};
+    std::vector<MatrixCell> cells = {};    ///< Neighbours share backend, scene, camera and size.
 
     const MatrixValue& value(const MatrixChoice& choice, std::size_t axis) const
     {
@@ -103,25 +95,10 @@ Result<Matrix> readMatrix(const std::string& file, const SourceSet& sources);
 /// Lays out `cells` of a matrix that has all else. Errors: as above.
 Diagnostics layOutCells(Matrix& matrix);
 
-bool matches(const MatrixWhere& where, const MatrixChoice& choice);
-
 /// The cell that `same` or `time` compares with: the choice with other values of some axes.
 MatrixChoice otherChoice(const MatrixCheck& check, MatrixChoice choice);
 
 /// The name of any combination, as of cells.
 std::string cellName(const Matrix& matrix, const MatrixChoice& choice);
-
-/// The shard-th (from 1) of `shards` parts of a list of `count`: from its first to behind its last.
-std::pair<std::size_t, std::size_t> shardOf(std::size_t count, std::size_t shard,
-                                            std::size_t shards);
-
-/// A key that matrix files may have: the object that it stands in ("" for the top), and its name.
-struct MatrixKey {
-    std::string section;
-    std::string name;
-};
-
-/// All of them, for the test that holds the documentation against them.
-std::vector<MatrixKey> matrixKeys();
 
 }  // namespace crevice

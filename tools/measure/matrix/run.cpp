@@ -3,11 +3,17 @@
 
 #include "core/base/text.h"
 #include "tools/commands/cli/output.h"
-#include "tools/measure/matrix/jobs.h"
+#include "tools/measure/line_file.h"
 
 #include <nlohmann/json.hpp>
 
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -15,148 +21,162 @@ namespace fs = std::filesystem;
 namespace crevice {
 namespace {
 
+constexpr useconds_t kLookAgain_us = 20000;  // at processes, and for an interrupt
+
+/// What times, or all else, of a cell.
+struct Part {
+    std::size_t cell;
+    bool times;
+
+    bool operator<(const Part& other) const
+    {
+        return std::pair(times, cell) < std::pair(other.times, other.cell);
+    }
+};
+
+/// Results go through the file of lines alone, whichever process they are from.
 class MatrixRunner {
 public:
     MatrixRunner(const MatrixPlan& plan, const RunMatrixOptions& options, LineFile& lines)
         : plan_(plan),
           options_(options),
           lines_(lines),
-          checker_(plan, options.check)
+          check_(cellChecker(plan, options))
     {
+        for (const std::size_t cell : plan.cells)
+            for (const std::size_t check : plan.matrix.cells[cell].checks)
+                parts_[{cell, plan.matrix.checks[check].kind == CheckKind::time}] = {};
+        for (auto& [part, result] : parts_)
+            result = {part.cell, keyOf(plan, plan.matrix.cells[part.cell],
+                                       options.version + (part.times ? " times" : "") +
+                                           (options.approve ? " approve" : ""))};
     }
 
-    /// What earlier runs say of cells that are as they were.
-    void recall()
+    Result<MatrixResults> run()
     {
-        std::map<std::string, CellResult> known;
-        readLines(lines_.path(), {"result of a cell", "crevice test"}, [&](nlohmann::json&& line) {
-            CellResult result = cellResultFrom(line);
-            known[result.key] = std::move(result);
-        });
-        for (auto& [cell, result] : open_) {
-            const auto found = known.find(result.key);
-            if (found == known.end() || found->second.is("failed") || found->second.is("skipped"))
-                continue;
-            result.checks = found->second.checks;
-            done_.insert(cell);
-        }
-        run_.kept = static_cast<int>(done_.size());
-    }
-
-    Result<MatrixRun> run()
-    {
-        for (const std::size_t cell : plan_.cells)
-            open_[cell] = {cell, options_.check.approve
-                                     ? ""
-                                     : keyOf(plan_, plan_.matrix.cells[cell], options_.version)};
-        if (options_.resume) recall();
-        const std::vector<std::size_t> drawn = cellsWith(false), timed = cellsWith(true);
-        drawAll(drawn);
-        for (const std::size_t cell : timed) checkHere(cell, true);
-        run_.interrupted = interrupted();
-        if (!failure_.empty()) return failure_;
-        for (auto& [cell, result] : open_)
-            if (done_.count(cell) > 0 && !result.checks.empty())
-                run_.cells.push_back(std::move(result));
-        return std::move(run_);
+        MatrixResults results{plan_.matrix};
+        if (options_.resume) recall(true);
+        std::vector<std::size_t> drawn, timed, open;
+        for (const auto& [part, result] : parts_)
+            if (result.checks.empty()) (part.times ? timed : drawn).push_back(part.cell);
+        std::set_union(drawn.begin(), drawn.end(), timed.begin(), timed.end(),
+                       std::back_inserter(open));
+        results.kept = plan_.cells.size() - open.size();
+        std::string crash;
+        Status done = options_.jobs > 1 && drawn.size() > 1 ? drawSideBySide(drawn, crash)
+                                                            : work(drawn, false);
+        if (done) done = work(timed, true);
+        if (!done) return done.diagnostics();
+        recall(false);
+        results.interrupted = interrupted();
+        for (const std::size_t cell : plan_.cells) collect(cell, crash, results);
+        return results;
     }
 
 private:
-    /// Those that are not known and have checks that time, or others. A cell without any is done.
-    std::vector<std::size_t> cellsWith(bool times) const
+    /// Reads the lines: those of earlier runs of which all passed, or those of this one.
+    void recall(bool earlier)
     {
-        std::vector<std::size_t> found;
-        for (const std::size_t cell : plan_.cells)
-            if (done_.count(cell) == 0 && has(cell, times)) found.push_back(cell);
-        return found;
-    }
-
-    bool has(std::size_t cell, bool times) const
-    {
-        return anyOf(plan_.matrix.cells[cell].checks, [&](std::size_t check) {
-            return (plan_.matrix.checks[check].kind == CheckKind::time) == times;
+        std::map<std::string, CellResult*> open;
+        for (auto& [part, result] : parts_)
+            if (result.checks.empty()) open[result.key] = &result;
+        std::size_t line = 0;
+        readLines(lines_.path(), {"result of a cell", "crevice test"}, [&](nlohmann::json&& json) {
+            if (++line <= lines_before_) return;
+            CellResult result = cellResultFrom(json);
+            const auto found = open.find(result.key);
+            if (found == open.end()) return;
+            const bool bad = anyOf(result.checks, [](const CheckResult& check) {
+                return check.state == "failed" || check.state == "skipped";
+            });
+            found->second->checks.clear();
+            if (!earlier || !bad) found->second->checks = std::move(result.checks);
         });
+        lines_before_ = line;
     }
 
-    void drawAll(const std::vector<std::size_t>& cells)
+    /// Here, one after the other. Errors: CV7007.
+    Status work(const std::vector<std::size_t>& cells, bool times, bool tell = true)
     {
-        const int jobs = std::min<int>(options_.jobs, static_cast<int>(cells.size()));
-        if (jobs < 2) {
-            for (const std::size_t cell : cells) checkHere(cell, false);
-            return;
+        for (const std::size_t cell : cells) {
+            if (interrupted()) break;
+            if (tell) options_.begin(plan_.matrix.cells[cell].name);
+            const auto checks = check_(cell, times);
+            if (!checks) return checks.diagnostics();
+            if (times && interrupted()) break;  // too few turns
+            const CellResult result{cell, parts_.at({cell, times}).key, *checks};
+            if (const Status kept = lines_.append(jsonLine(toJson(result))); !kept) return kept;
         }
+        return {};
+    }
+
+    /// In copies of this process; `crash` says how one ended that did not do so by itself.
+    Status drawSideBySide(const std::vector<std::size_t>& cells, std::string& crash)
+    {
+        const std::size_t jobs = std::min<std::size_t>(options_.jobs, cells.size());
         options_.begin(std::to_string(cells.size()) + " cells by " + std::to_string(jobs) +
                        " processes");
-        const auto work = [&](int job, const SendLine& send) {
-            CellChecker checker(plan_, options_.check);
-            const auto [begin, end] = shardOf(cells.size(), job + 1, jobs);
-            for (std::size_t i = begin; i < end && !interrupted(); ++i) {
-                const auto checks = checker.check(cells[i], false);
-                if (!checks) return send(nlohmann::json(failureText(checks.diagnostics())).dump());
-                send(jsonLine(toJson(CellResult{cells[i], {}, *checks})));
+        std::vector<pid_t> processes;
+        for (std::size_t job = 1; job <= jobs; ++job) {
+            const pid_t process = fork();
+            if (process == 0) {
+                const Status done = work(shardOf(cells, job, jobs), false, false);
+                _exit(report(done.diagnostics(), false));
             }
-        };
-        const auto take = [&](const std::string& line) {
-            const nlohmann::json json = nlohmann::json::parse(line);
-            if (json.is_string()) return fail({Code::cannot_write, json.get<std::string>()});
-            CellResult result = cellResultFrom(json);
-            add(result.cell, std::move(result.checks), false);
-        };
-        const std::vector<std::string> ends = runJobs(jobs, work, take);
-        if (interrupted() || !failure_.empty() || ends.empty()) return;
-        for (const std::size_t cell : cells)
-            if (open_[cell].checks.empty()) failAll(cell, ends[0]);
+            if (process < 0) crash = std::string("no process can be started: ") + strerror(errno);
+            if (process > 0) processes.push_back(process);
+        }
+        Status all;
+        bool told = false;
+        for (const pid_t process : processes) {
+            int status = 0;
+            while (waitpid(process, &status, WNOHANG) == 0) {
+                if (interrupted() && !std::exchange(told, true))
+                    for (const pid_t each : processes) kill(each, SIGTERM);
+                usleep(kLookAgain_us);
+            }
+            if (WIFSIGNALED(status))
+                crash = "a process was ended by signal " + std::to_string(WTERMSIG(status));
+            else if (WEXITSTATUS(status) != 0)
+                all = Diagnostic{Code::cannot_write, "a process could not write its results",
+                                 "it said why; make room or name another --out"};
+        }
+        return all;
     }
 
-    void failAll(std::size_t cell, const std::string& why)
+    /// Both parts of a cell; what a crash left out fails.
+    void collect(std::size_t cell, const std::string& crash, MatrixResults& results)
     {
-        std::vector<CheckResult> checks;
-        for (const std::size_t check : plan_.matrix.cells[cell].checks)
-            if (plan_.matrix.checks[check].kind != CheckKind::time)
-                checks.push_back({check, plan_.matrix.checks[check].title(), "failed", why});
-        add(cell, std::move(checks), false);
-    }
-
-    void checkHere(std::size_t cell, bool times)
-    {
-        if (interrupted() || !failure_.empty()) return;
-        options_.begin(plan_.matrix.cells[cell].name);
-        Result<std::vector<CheckResult>> checks = checker_.check(cell, times);
-        if (!checks) return fail(firstError(checks.diagnostics()));
-        if (times && interrupted()) return;  // too few turns
-        add(cell, std::move(*checks), times);
-    }
-
-    /// The cell's line is written when nothing of it is missing.
-    void add(std::size_t cell, std::vector<CheckResult> checks, bool times)
-    {
-        std::vector<CheckResult>& all = open_[cell].checks;
-        all.insert(all.end(), checks.begin(), checks.end());
-        std::sort(all.begin(), all.end(),
+        CellResult all{cell, {}};
+        for (const bool times : {false, true}) {
+            const auto part = parts_.find({cell, times});
+            if (part == parts_.end()) continue;
+            const std::vector<CheckResult>& checks = part->second.checks;
+            all.checks.insert(all.checks.end(), checks.begin(), checks.end());
+            if (!checks.empty() || options_.approve) continue;
+            if (results.interrupted) return;
+            for (const std::size_t i : plan_.matrix.cells[cell].checks)
+                if ((plan_.matrix.checks[i].kind == CheckKind::time) == times)
+                    all.checks.push_back({i, plan_.matrix.checks[i].title, "failed", crash});
+        }
+        std::sort(all.checks.begin(), all.checks.end(),
                   [](const CheckResult& a, const CheckResult& b) { return a.check < b.check; });
-        if (!times && has(cell, true)) return;
-        done_.insert(cell);
-        const Status written = lines_.append(jsonLine(toJson(open_[cell])));
-        if (!written) fail(firstError(written.diagnostics()));
+        if (!all.checks.empty()) results.cells.push_back(std::move(all));
     }
-
-    void fail(const Diagnostic& error) { failure_.push_back(error); }
 
     const MatrixPlan& plan_;
     const RunMatrixOptions& options_;
     LineFile& lines_;
-    CellChecker checker_;
-    std::map<std::size_t, CellResult> open_;
-    std::set<std::size_t> done_;
-    Diagnostics failure_;
-    MatrixRun run_;
+    const CheckCell check_;
+    std::map<Part, CellResult> parts_;
+    std::size_t lines_before_ = 0;
 };
 
 }  // namespace
 
-Result<MatrixRun> runMatrix(const MatrixPlan& plan, const RunMatrixOptions& options)
+Result<MatrixResults> runMatrix(const MatrixPlan& plan, const RunMatrixOptions& options)
 {
-    const std::string& folder = options.check.out_folder;
+    const std::string& folder = options.out_folder;
     Result<LineFile> lines = LineFile::open(folder + "/cells.jsonl");
     if (!lines) return lines.diagnostics();
     std::error_code error;

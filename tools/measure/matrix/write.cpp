@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Results as JSON, TAP and JUnit XML.
-#include "tools/measure/matrix/result.h"
+#include "tools/measure/matrix/run.h"
 
 #include "core/base/text.h"
 
@@ -16,6 +16,8 @@ constexpr std::pair<const char*, std::string CheckResult::*> kTexts[] = {
     {"text", &CheckResult::text},     {"got", &CheckResult::got},
     {"wanted", &CheckResult::wanted}, {"difference", &CheckResult::difference}};
 
+constexpr const char* kStates[] = {"passed", "failed", "skipped", "new", "changed", "unchanged"};
+
 /// Without those that are empty.
 json textsOf(const CheckResult& check)
 {
@@ -25,53 +27,45 @@ json textsOf(const CheckResult& check)
     return texts;
 }
 
+/// On one line, with `escape` in place of each character that is special.
+template <class Escape>
+std::string escaped(const std::string& text, std::string_view special, Escape escape)
+{
+    std::string safe;
+    for (const char c : printableLine(text)) {
+        const std::size_t at = special.find(c);
+        safe += at == special.npos ? std::string(1, c) : escape(at);
+    }
+    return safe;
+}
+
 std::string xml(const std::string& text)
 {
-    std::string safe;
-    for (const char c : printableLine(text)) {
-        const std::size_t at = std::string_view("&<>\"'").find(c);
-        const char* const names[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"};
-        safe += at == std::string_view::npos ? std::string(1, c) : names[at];
-    }
-    return safe;
+    const char* const names[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"};
+    return escaped(text, "&<>\"'", [&](std::size_t at) { return std::string(names[at]); });
 }
 
-/// A test's name in TAP, where '#' begins a directive.
+/// In TAP, where '#' begins a directive.
 std::string tapName(const std::string& text)
 {
-    std::string safe;
-    for (const char c : printableLine(text)) {
-        if (c == '#' || c == '\\') safe += '\\';
-        safe += c;
-    }
-    return safe;
+    return escaped(text, "#\\", [](std::size_t at) { return std::string("\\") + "#\\"[at]; });
 }
 
-/// " tests="3" failures="1" skipped="0" time="0.210"", over the cells from `begin` to `end`.
-std::string counts(const CellResult* begin, const CellResult* end)
+/// ` tests="3" failures="1" errors="0" skipped="0" time="0.210"`
+std::string counts(const MatrixResults& results)
 {
-    int tests = 0, failures = 0, skipped = 0;
+    std::size_t tests = 0;
     double time_s = 0;
-    for (; begin != end; ++begin)
-        for (const CheckResult& check : begin->checks) {
-            ++tests;
-            failures += check.state == "failed";
-            skipped += check.state == "skipped";
-            time_s += check.time_s;
-        }
-    return " tests=\"" + std::to_string(tests) + "\" failures=\"" + std::to_string(failures) +
-           "\" errors=\"0\" skipped=\"" + std::to_string(skipped) + "\" time=\"" +
-           fixed(time_s, 3) + "\"";
+    for (const CellResult& cell : results.cells)
+        for (const CheckResult& check : cell.checks) ++tests, time_s += check.time_s;
+    return " tests=\"" + std::to_string(tests) + "\" failures=\"" +
+           std::to_string(results.count("failed")) + "\" errors=\"0\" skipped=\"" +
+           std::to_string(results.count("skipped")) + "\" time=\"" + fixed(time_s, 3) + "\"";
 }
 
 }  // namespace
 
-bool CellResult::is(const char* state) const
-{
-    return anyOf(checks, [&](const CheckResult& check) { return check.state == state; });
-}
-
-int MatrixResults::count(const char* state) const
+int MatrixResults::count(std::string_view state) const
 {
     int sum = 0;
     for (const CellResult& cell : cells)
@@ -79,23 +73,29 @@ int MatrixResults::count(const char* state) const
     return sum;
 }
 
+std::string countsOf(const MatrixResults& results)
+{
+    std::vector<std::string> texts;
+    for (const char* state : kStates)
+        if (const int count = results.count(state))
+            texts.push_back(std::to_string(count) + " " + state);
+    return texts.empty() ? "none" : joined(texts);
+}
+
 json toJson(const CellResult& result)
 {
     json checks = json::array();
     for (const CheckResult& check : result.checks) {
-        json item = textsOf(check);
-        item["check"] = check.check;
-        item["time_s"] = check.time_s;
-        checks.push_back(std::move(item));
+        checks.push_back(textsOf(check));
+        checks.back()["check"] = check.check;
+        checks.back()["time_s"] = check.time_s;
     }
     return {{"cell", result.cell}, {"key", result.key}, {"checks", std::move(checks)}};
 }
 
 CellResult cellResultFrom(const json& from)
 {
-    CellResult result;
-    result.cell = from.at("cell");
-    result.key = from.at("key");
+    CellResult result{from.at("cell"), from.at("key")};
     for (const json& item : from.at("checks")) {
         CheckResult check;
         check.check = item.at("check");
@@ -121,8 +121,7 @@ json resultsJson(const MatrixResults& results)
             {{"name", cell.name}, {"values", std::move(values)}, {"checks", std::move(checks)}});
     }
     json all = {{"matrix", results.matrix.file}, {"cells", std::move(cells)}};
-    for (const char* state : {"passed", "failed", "skipped", "new", "changed", "unchanged"})
-        all[state] = results.count(state);
+    for (const char* state : kStates) all[state] = results.count(state);
     return all;
 }
 
@@ -144,13 +143,11 @@ std::string tapText(const MatrixResults& results)
 
 std::string junitXml(const MatrixResults& results)
 {
-    const CellResult* const cells = results.cells.data();
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" +
-                       xml(results.matrix.file) + "\"" +
-                       counts(cells, cells + results.cells.size()) + ">\n";
+                       xml(results.matrix.file) + "\"" + counts(results) + ">\n";
     for (const CellResult& cell : results.cells) {
         const std::string name = xml(results.matrix.cells[cell.cell].name);
-        text += " <testsuite name=\"" + name + "\"" + counts(&cell, &cell + 1) + ">\n";
+        text += " <testsuite name=\"" + name + "\"" + counts({results.matrix, {cell}}) + ">\n";
         for (const CheckResult& check : cell.checks) {
             text += "  <testcase classname=\"" + name + "\" name=\"" + xml(check.title) +
                     "\" time=\"" + fixed(check.time_s, 3) + "\">";

@@ -40,20 +40,19 @@ using Kernel = std::vector<glm::dvec3>;
 
 Planes filtered(const Planes& from, const Kernel& along_x, const Kernel& along_y)
 {
-    const int radius = static_cast<int>(along_x.size() / 2);
-    Planes rows = from, done = from;
-    const auto pass = [&](const Planes& source, Planes& out, const Kernel& kernel, int dx, int dy) {
-        for (int y = 0; y < from.extent.height; ++y)
-            for (int x = 0; x < from.extent.width; ++x) {
+    const auto pass = [](const Planes& source, const Kernel& kernel, int dx, int dy) {
+        const int radius = static_cast<int>(kernel.size() / 2);
+        Planes out{source.extent, {}};
+        for (int y = 0; y < source.extent.height; ++y)
+            for (int x = 0; x < source.extent.width; ++x) {
                 glm::dvec3 sum(0);
                 for (int i = -radius; i <= radius; ++i)
                     sum += kernel[i + radius] * source.at(x + i * dx, y + i * dy);
-                out.pixels[static_cast<std::size_t>(y) * from.extent.width + x] = sum;
+                out.pixels.push_back(sum);
             }
+        return out;
     };
-    pass(from, rows, along_x, 1, 0);
-    pass(rows, done, along_y, 0, 1);
-    return done;
+    return pass(pass(from, along_x, 1, 0), along_y, 0, 1);
 }
 
 /// Luminance and two opponent colours of linear light.
@@ -106,25 +105,22 @@ Planes blurred(const Planes& planes, double pixels_per_degree)
 {
     const int radius =
         static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * kPi * kPi)) * pixels_per_degree));
-    const auto kernelOf = [&](const glm::dvec3& width) {
-        Kernel kernel(2 * radius + 1);
+    glm::dvec3 sum(0);
+    const auto kernelOf = [&](const glm::dvec3& width, const glm::dvec3& height) {
+        Kernel kernel;
+        glm::dvec3 all(0);
         for (int i = -radius; i <= radius; ++i) {
             const double degrees = i / pixels_per_degree;
-            kernel[i + radius] = glm::exp(-kPi * kPi * degrees * degrees / width);
+            kernel.push_back(glm::exp(-kPi * kPi * degrees * degrees / width));
+            all += kernel.back();
         }
+        sum += height * all * all;
         return kernel;
     };
-    const auto sumOf = [](const Kernel& kernel) {
-        glm::dvec3 sum(0);
-        for (const glm::dvec3& each : kernel) sum += each;
-        return sum;
-    };
-    const glm::dvec3 widths = {0.0047, 0.0053, 0.04};
-    const Kernel first = kernelOf(widths), second = kernelOf(glm::dvec3(0.025));
+    const glm::dvec3 widths = {0.0047, 0.0053, 0.04}, more_width(0.025);
     const glm::dvec3 heights = glm::dvec3(1, 1, 34.1) * glm::sqrt(kPi / widths);
-    const glm::dvec3 more = glm::dvec3(0, 0, 13.5) * std::sqrt(kPi / 0.025);
-    const glm::dvec3 sum =
-        heights * sumOf(first) * sumOf(first) + more * sumOf(second) * sumOf(second);
+    const glm::dvec3 more = glm::dvec3(0, 0, 13.5) * glm::sqrt(kPi / more_width);
+    const Kernel first = kernelOf(widths, heights), second = kernelOf(more_width, more);
     Planes one = filtered(planes, first, first);
     const Planes two = filtered(planes, second, second);
     for (std::size_t i = 0; i < one.pixels.size(); ++i)

@@ -13,4 +13,8 @@ namespace crevice {
 /// printable, and none ends the script that it stands in.
 std::string pageOf(std::string_view page, const nlohmann::json& model);
 
+/// The page on a matrix's results, for resultsJson: what failed, with got, wanted, difference and a
+/// slider that wipes from one to the other. Its pictures lie beside it.
+std::string_view matrixPage();
+
 }  // namespace crevice

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The files that say what came of a matrix, read by what else reads such files.
-#include "tools/measure/matrix/result.h"
+#include "tools/measure/matrix/run.h"
 
 #include "core/base/text.h"
 #include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/show/report/matrix_report.h"
+#include "tools/show/report/page.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,12 +19,12 @@ const std::string kHostile = "</script><a b=\"c\">&amp; # \\ 'x' \x1b[31m ]]> \n
 
 struct Hostile {
     Matrix matrix;
-    MatrixResults results{matrix, {}};
+    MatrixResults results{matrix};
 
     Hostile()
     {
         matrix.file = kHostile;
-        matrix.axes = {{"config", {{kHostile, "gtao"}}}};
+        matrix.axes = {{"config", {{kHostile, "gtao", {}}}}};
         matrix.cells = {{{0}, kHostile, "a", "a"}, {{0}, "plain", "b", "b"}};
         results.cells = {
             {0, "key", {{0, kHostile, "failed", kHostile, 0.5}, {1, "plain", "passed", "", 0.25}}},
@@ -82,7 +82,7 @@ TEST_CASE("Results are JSON without times, lines of them come back, and the page
     CHECK(!has(json.dump(), "time"));
     const CellResult again = cellResultFrom(toJson(hostile.results.cells[0]));
     CHECK(toJson(again) == toJson(hostile.results.cells[0]));
-    const std::string page = matrixHtml(hostile.results);
+    const std::string page = pageOf(matrixPage(), json);
     CHECK(occurrences(page, "</script>") == 2);  // those that the page has itself
     CHECK(!has(page, "\x1b"));
 }
