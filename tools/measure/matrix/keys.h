@@ -29,9 +29,11 @@ struct CheckNumberKey {
     const char* name;
     double least, most;
     double value;  ///< Without it: NaN where it must be there, kNoLimit where nothing is then set.
+    bool whole = false;
 };
 
-inline const CheckNumberKey kShare = {"share", 0, 1, 0}, kRays = {"rays", 1, kMaxTraceRays, 64};
+inline const CheckNumberKey kShare = {"share", 0, 1, 0},
+                            kRays = {"rays", 1, kMaxTraceRays, 64, true};
 
 /// The kinds of checks by CheckKind, and the numbers in each.
 inline const struct CheckKindKey {

@@ -312,9 +312,8 @@ private:
                     MatrixCheck& check)
     {
         const std::string what = inQuotes(kind.name) + " " + key.name;
-        const bool whole = key.name == kRays.name;
-        if (node.kind != Kind::number || (whole && !node.integer()))
-            return wrongType(node, what, whole ? "a whole number" : "a number", kind.help);
+        if (node.kind != Kind::number || (key.whole && !node.integer()))
+            return wrongType(node, what, key.whole ? "a whole number" : "a number", kind.help);
         if (node.number < key.least || node.number > key.most)
             fail(node.place, Code::out_of_range,
                  what + " " + brief(node) + " is outside [" + shortest(key.least) + ", " +
