@@ -76,7 +76,7 @@ TEST_CASE("A quick answer says what a bench would say, within its margins")
     CHECK(details.sure <= 1.0);
     CHECK(!details.neighbours.empty());
     CHECK(details.frame.occlusion > 0.0);
-    CHECK(details.frame.geometry > 0.0);
+    CHECK(details.frame.geometry + details.frame.own_geometry > 0.0);
     CHECK(details.frame.lighting > 0.0);
     CHECK(best.ratio_learnopengl > 0.0);
     CHECK(best.texture_bytes > 0.0);
