@@ -281,6 +281,20 @@ void printAnswerJson(const Answer& answer)
     printAsJson(json);
 }
 
+/// JSON as a C string, which Effect::govern and crevice_effect_govern take as they take a file.
+std::string asHeader(const std::string& json)
+{
+    std::string text =
+        "/* A front, by crevice choose --write-front. */\nstatic const char front[] =";
+    for (const std::string_view line : split(json, '\n')) {
+        text += "\n    \"";
+        for (const char c : line)
+            text += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+        text += "\"";
+    }
+    return text + ";\n";
+}
+
 /// What a governor steps along: all that no other beats, by rising cost. Errors: CV7007.
 Status writeFront(const Answer& answer, const std::string& file)
 {
@@ -298,7 +312,8 @@ Status writeFront(const Answer& answer, const std::string& file)
                                    {"ms", list[i].ms},
                                    {"error", list[i].error}});
     }
-    return writeFile(file, front.dump(2) + "\n");
+    const std::string text = front.dump(2);
+    return writeFile(file, endsWith(file, ".h") ? asHeader(text) : text + "\n");
 }
 
 /// All that can be wrong with the arguments, before anything slow begins.
@@ -366,8 +381,9 @@ void addChooseCommand(CLI::App& app, int& exit_code)
     command->add_option("--time-budget", options->run.time_budget,
                         "Measure for at most this time: 90s, 5m. Default: 50s");
     addText(*command, "--write", options->write, "FILE.json", "Write the config that is named");
-    addText(*command, "--write-front", options->write_front, "FILE.json",
-            "Write all configs that no other beats, for a governor; measures all of them");
+    addText(*command, "--write-front", options->write_front, "FILE",
+            "Write all configs that no other beats, for a governor, as JSON or, where it ends in "
+            ".h, as a C array; measures all of them");
     command->add_option("--device", options->scope.device,
                         "Only results of this device: a part of its name, such as llvmpipe");
     command->add_flag("--json", options->json, "Print the answer as JSON");
