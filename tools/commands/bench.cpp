@@ -61,12 +61,45 @@ void printMotion(const BenchPlan& plan, const std::vector<BenchSample>& samples,
         print("%s\n\n%s\n", title.c_str(), motionTable(rows).c_str());
 }
 
+/// What a minute of `crevice choose` begins with, for all configs in the first view: a bench of
+/// them takes long.
+void printFirstLook(const BenchCommand& command, const BenchPlan& plan, const BenchTask& task,
+                    const SourceSet& sources, Device& device)
+{
+    QuickOptions quick;
+    quick.scene = task.sample.scene;
+    quick.overrides = command.bench.overrides;
+    if (!command.bench.radii.empty())
+        quick.overrides.push_back("radius=" + shortest(command.bench.radii.front()));
+    quick.roots = command.bench.roots;
+    quick.whole_front = true;
+    quick.time_s = kFirstLookS;
+    quick.interrupted = interrupted;
+    QuickBench bench(device, plan.views[task.view], sources, std::move(quick));
+    if (!bench.run()) return;  // the bench itself will say why
+    printMessage("a first look, of %s:\n", viewName(task.sample.scene, "").c_str());
+    for (const BenchSample& sample : bench.samples())
+        printMessage("  %-24s error %s +- %s, %s ms, %s x learnopengl\n",
+                     sampleLabel(sample).c_str(), fixed(sample.error.rmse, 3).c_str(),
+                     fixed(bench.detailsOf(sample).error_margin, 3).c_str(),
+                     significant(sample.cost.median, 3).c_str(),
+                     fixed(sample.ratio_learnopengl, 2).c_str());
+}
+
 int measureErrors(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
                   Device& device, double time_budget)
 {
     const std::string& name = device.caps().name;
     Result<BenchFile> file = openBench(command.run.out);
     if (!file) return report(file.diagnostics(), false);
+    catchInterrupts();
+    const auto is_new = [&](const BenchTask& task) {
+        return task.sample.failure.empty() &&
+               file->done.count(keyOnDevice(task.sample.key, name)) == 0;
+    };
+    const auto first = std::find_if(plan.tasks.begin(), plan.tasks.end(), is_new);
+    const bool of_all = command.bench.configs.empty() && command.bench.samples.empty();
+    if (of_all && first != plan.tasks.end()) printFirstLook(command, plan, *first, sources, device);
     Progress progress;
     MeasureOptions measure = command.measure;
     measure.rays = command.bench.rays;
@@ -87,40 +120,12 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
     return exitCodeOf(summary);
 }
 
-/// What a minute of `crevice choose` begins with, for all configs in the first view: a bench of
-/// them takes long.
-void printFirstLook(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
-                    Device& device)
-{
-    QuickOptions quick;
-    quick.scene = plan.tasks.front().sample.scene;
-    quick.overrides = command.bench.overrides;
-    if (!command.bench.radii.empty())
-        quick.overrides.push_back("radius=" + shortest(command.bench.radii.front()));
-    quick.roots = command.bench.roots;
-    quick.whole_front = true;
-    quick.time_s = kFirstLookS;
-    quick.interrupted = interrupted;
-    QuickBench bench(device, plan.views.front(), sources, std::move(quick));
-    if (!bench.run()) return;  // the bench itself will say why
-    printMessage("a first look, of %s:\n", viewName(plan.tasks.front().sample.scene, "").c_str());
-    for (const BenchSample& sample : bench.samples())
-        printMessage("  %-24s error %s +- %s, %s ms, %s x learnopengl\n",
-                     sampleLabel(sample).c_str(), fixed(sample.error.rmse, 3).c_str(),
-                     fixed(bench.detailsOf(sample).error_margin, 3).c_str(),
-                     significant(sample.cost.median, 3).c_str(),
-                     fixed(sample.ratio_learnopengl, 2).c_str());
-}
-
 int measurePlan(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
                 double time_budget)
 {
     const Result<OpenDevice> open = openDevice(command.backend);
     report(open.diagnostics(), false);
     if (!open) return exitCodeOf(open.diagnostics());
-    catchInterrupts();
-    if (command.bench.configs.empty() && command.bench.samples.empty() && !plan.views.empty())
-        printFirstLook(command, plan, sources, *open->device);
     const int code = measureErrors(command, plan, sources, *open->device, time_budget);
     return code == kExitOk ? exitCodeOf(plan.diagnostics) : code;
 }
