@@ -142,11 +142,15 @@ void QuickBench::sayLeader(const std::string& how)
     if (!how.empty())
         for (Standing& standing : all) standing.measured = true;
     const auto first = leaderOf(all, options_.limits);
+    const std::string at = fixed(seconds(), 0) + " s: ";
+    if (!first && !how.empty() && !all.empty())
+        options_.say(at + "nothing seems to be within the limits; the nearest is " +
+                     entrants_[nearestOf(all, options_.limits)].label() + how);
     if (!first || (entrants_[*first].label() == leader_ && how.empty())) return;
     leader_ = entrants_[*first].label();
     const Standing& it = all[*first];
-    options_.say(fixed(seconds(), 0) + " s: " + leader_ + ", error " + fixed(it.error.value, 3) +
-                 " (" + fixed(it.error.low, 3) + " to " + fixed(it.error.high, 3) + "), " +
+    options_.say(at + leader_ + ", error " + fixed(it.error.value, 3) + " (" +
+                 fixed(it.error.low, 3) + " to " + fixed(it.error.high, 3) + "), " +
                  significant(it.ms.value, 3) + " ms" + how);
 }
 
@@ -212,13 +216,14 @@ bool QuickBench::enterNeighbours()
     return true;
 }
 
-/// What cannot be drawn there is out.
-void QuickBench::lookFull(std::size_t place)
+/// What cannot be drawn there is out, and gives false.
+bool QuickBench::lookFull(std::size_t place)
 {
     const Status drawn = meter_.lookFull(entrants_[place]);
-    if (drawn) return;
+    if (drawn) return true;
     warnings_.push_back(asWarning(firstError(drawn.diagnostics())));
     entrants_.erase(entrants_.begin() + static_cast<std::ptrdiff_t>(place));
+    return false;
 }
 
 void QuickBench::race()
@@ -250,8 +255,8 @@ void QuickBench::refine()
         if (!first || !meter_.grow(pixels *= 2)) return;
         all[*first].measured = false;
         const auto second = leaderOf(all, options_.limits);
-        lookFull(*first);
-        if (second && !mustStop()) lookFull(*second);
+        if (!lookFull(*first) || mustStop()) return;
+        if (second) lookFull(*second);
     }
 }
 

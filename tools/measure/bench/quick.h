@@ -72,7 +72,7 @@ private:
     void enter(Entrant entrant);
     bool enterNext();
     bool enterNeighbours();
-    void lookFull(std::size_t place);
+    bool lookFull(std::size_t place);
     void race();
     void refine();
 
