@@ -5,8 +5,6 @@
 #include "tools/measure/bench/neighbours.h"
 #include "tools/measure/taps.h"
 
-#include <cmath>
-
 namespace crevice {
 namespace {
 

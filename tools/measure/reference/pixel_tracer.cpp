@@ -156,6 +156,12 @@ Status checkTrace(const Camera& camera, Extent extent, const TraceOptions& optio
     return {};
 }
 
+Diagnostic nothingSeen()
+{
+    return {Code::nothing_seen, "the camera sees no surface of the scene",
+            "leave --camera out for a view of the whole scene, or turn the camera towards it"};
+}
+
 PixelTracer::PixelTracer(const RayScene& scene, const Camera& camera, Extent extent,
                          const TraceOptions& options, int passes)
     : scene_(scene),

@@ -10,6 +10,9 @@ namespace crevice {
 /// projection that has no inverse.
 Status checkTrace(const Camera& camera, Extent extent, const TraceOptions& options);
 
+/// CV7008: what a trace of a camera that sees no surface ends with.
+Diagnostic nothingSeen();
+
 /// A Hammersley point on the unit disc; the hemisphere's direction lies above it (Malley).
 struct Probe {
     float radius_squared;  ///< Before its rotation.

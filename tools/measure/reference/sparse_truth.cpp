@@ -79,10 +79,7 @@ Status SparseTruth::grow(std::size_t pixels)
         }
     }
     if (!pixels_.empty()) return {};
-    return Diagnostic{
-        Code::nothing_seen, "the camera sees no surface of the scene",
-        "leave --camera out for a view of the whole scene, or turn the camera towards "
-        "it"};
+    return nothingSeen();
 }
 
 Result<SparseError> sparseError(const Image& picture, const SparseTruth& truth)

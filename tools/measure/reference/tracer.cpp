@@ -118,9 +118,7 @@ Status checkSeen(const Image& image)
 {
     const bool seen = anyOf(image.pixels, [](float value) { return !std::isnan(value); });
     if (seen) return {};
-    return Diagnostic{
-        Code::nothing_seen, "the camera sees no surface of the scene",
-        "leave --camera out for a view of the whole scene, or turn the camera towards it"};
+    return nothingSeen();
 }
 
 }  // namespace
