@@ -53,8 +53,11 @@ void chooseOutputs(State& state)
                state.description,
                "add: \"outputs\": {\"ao\": \"name of a target\"}, or \"extends\": [\"balanced\"]");
     for (std::size_t i = 0; i < outputs.size(); ++i)
-        if (wanted.empty() || contains(wanted, outputs[i].name))
+        if (wanted.empty() ? !outputs[i].on_request : contains(wanted, outputs[i].name))
             state.outputs.push_back(static_cast<int>(i));
+    if (wanted.empty() && state.outputs.empty() && !outputs.empty())
+        report(state, Code::no_outputs, "all outputs are drawn on request, so nothing would run",
+               outputs.front(), "ask for one by name, or take `on_request` off it");
     for (const std::string& name : wanted) {
         if (outputs.empty() || findNamed(outputs, name)) continue;
         report(state, Code::output_missing,

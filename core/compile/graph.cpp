@@ -440,13 +440,31 @@ void chooseLive(State& state)
                 state.targets[target].textured = true;
 }
 
+// Of active passes, those that outputs on request need.
+std::set<std::string> namesOnRequest(const State& state)
+{
+    std::set<std::string> passes, targets;
+    for (const OutputDesc& output : state.description.outputs)
+        if (output.on_request) targets.insert(output.target.name);
+    for (auto index = state.order.rbegin(); index != state.order.rend(); ++index) {
+        const Pass& pass = state.passes[*index];
+        if (!anyOf(writtenBy(pass), [&](int at) { return targets.count(nameOf(state, at)) > 0; }))
+            continue;
+        passes.insert(pass.desc->name);
+        for (const Read& read : pass.reads)
+            if (read.named.isTarget()) targets.insert(nameOf(state, read.named.index));
+    }
+    return passes;
+}
+
 void lintDeadPasses(State& state)
 {
     // Where something was asked for, or something stands in, that is what leaves passes out.
     const bool reduced = anyOf(state.passes, [](const Pass& pass) { return pass.replaced(); });
     if (reduced || !state.options.outputs.empty() || hasErrors(state.diagnostics)) return;
+    const std::set<std::string> on_request = namesOnRequest(state);
     for (const Pass& pass : state.passes)
-        if (pass.active && !pass.live)
+        if (pass.active && !pass.live && on_request.count(pass.desc->name) == 0)
             report(state, Code::dead_pass,
                    quoted(pass) + " does not run: no output needs what it writes", *pass.desc,
                    "read what it writes, export it under `outputs`, or leave out the module")

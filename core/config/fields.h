@@ -76,7 +76,6 @@ CREVICE_VALUE(Condition, Scalars{entry.values},
 CREVICE_VALUE(BypassDesc, entry.input, "The input that replaces this output when the pass is off.")
 CREVICE_VALUE(PreservesConstantDesc, entry.sampler,
               "The sampler that this output is filtered from.")
-CREVICE_VALUE(OutputDesc, entry.target, "The target behind the exported name.")
 #undef CREVICE_VALUE
 
 template <class V>
@@ -290,6 +289,14 @@ void fields(V& v, PassDesc& p)
     v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
     if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};
     v.field("state", p.state, "Fixed-function state.");
+}
+
+template <class V>
+void fields(V& v, OutputDesc& o)
+{
+    v.shorthand("target", o.target, "The target behind the exported name.", required());
+    v.field("on_request", o.on_request,
+            "Draws it, and what it alone needs, where it is asked for by name.");
 }
 
 template <class V>

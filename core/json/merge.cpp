@@ -42,6 +42,7 @@ std::string_view mainKey(std::string_view pointer)
     const auto parts = std::count(pointer.begin(), pointer.end(), '/');
     const bool tunable = startsWith(pointer, "/params/") || startsWith(pointer, "/features/");
     if (tunable) return parts == 2 ? "default" : "";
+    if (startsWith(pointer, "/outputs/")) return parts == 2 ? "target" : "";
     if (!startsWith(pointer, "/passes/") || parts != 4) return "";
     return startsWith(pointer.substr(pointer.find('/', 8)), "/inputs/") ? "from" : "";
 }

@@ -20,7 +20,7 @@ inline const char* const kFullVertex =
 /// smooth; what follows a '|' goes into the pass's JSON. Targets are r8 unless `targets` says more.
 struct Sketch {
     std::vector<std::string> passes;
-    std::map<std::string, std::string> outputs;       ///< Name and target.
+    std::map<std::string, std::string> outputs;       ///< Name and target, or JSON.
     std::map<std::string, std::string> targets = {};  ///< Name and JSON.
     std::string extra = {};                           ///< Further keys at the top: "params": {...}
 };
@@ -61,7 +61,8 @@ inline Description describe(const Sketch& sketch)
     }
     for (const auto& [name, json] : targets) declared.push_back("\"" + name + "\": " + json);
     for (const auto& [name, target] : sketch.outputs)
-        exported.push_back("\"" + name + "\": \"" + target + "\"");
+        exported.push_back("\"" + name +
+                           "\": " + (target[0] == '{' ? target : "\"" + target + "\""));
     return describe("{\"format\": 1, \"name\": \"sketch\",\n\"targets\": {" + joined(declared) +
                         "},\n\"shaders\": {" + joined(shaders) + "},\n\"passes\": {" +
                         joined(passes) + "},\n\"outputs\": {" + joined(exported) + "}" +

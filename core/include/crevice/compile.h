@@ -12,7 +12,7 @@ namespace crevice {
 
 struct CompileOptions {
     Extent extent;
-    std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
+    std::vector<std::string> outputs = {};  ///< Names; empty means all but OutputDesc::on_request.
     std::vector<std::string> disable = {};  ///< Names of optimizations to switch off, or "all".
     bool strict = false;  ///< What of a frame no shader could draw is an error, not a warning.
 };

@@ -190,6 +190,7 @@ struct PassDesc : Named {
 /// An exported name and the target behind it.
 struct OutputDesc : Named {
     Reference target = {};
+    bool on_request = false;  ///< Drawn where it is asked for by name, and not with "all".
 };
 
 /// A debug view: a target shown as (value * scale + offset).

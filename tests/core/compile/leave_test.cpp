@@ -94,6 +94,26 @@ TEST_CASE("A pass that no output needs is left out with a warning, unless that w
     CHECK(compile(description, {}, ampleCaps(), one).diagnostics().empty());
 }
 
+TEST_CASE("An output on request is drawn, with what it alone needs, where it is asked for by name")
+{
+    const auto exporting = [](const char* late) {
+        return describe(
+            Sketch{{"a: -> x", "b: x -> y", "c: y -> z"}, {{"out", "x"}, {"late", late}}});
+    };
+    const Description description = exporting(R"({"target": "z", "on_request": true})");
+    const Result<Plan> plan = tryCompile(description);
+    REQUIRE(plan.ok());
+    CHECK(passNames(*plan) == "a");
+    CHECK(plan.diagnostics().empty());  // no pass is forgotten
+    CompileOptions options = sized();
+    options.outputs = {"late"};
+    CHECK(passNames(planOf(description, {}, options)) == "a, b, c");
+    CHECK(passNames(planOf(exporting(R"({"target": "z"})"))) == "a, b, c");
+    Description all = description;
+    for (OutputDesc& output : all.outputs) output.on_request = true;
+    CHECK(onlyError(all).code == Code::no_outputs);
+}
+
 TEST_CASE("A condition holds where each of its terms does")
 {
     const auto lit = [](int lights, bool specular = false) {
