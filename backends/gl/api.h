@@ -18,6 +18,9 @@ namespace crevice {
 typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_value);
 typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_value,
                                                       double far_value);
+// Of WebGL, which maps no buffer to be read.
+typedef void(GL_APIENTRYP PFNGLGETBUFFERSUBDATAPROC)(GLenum target, GLintptr offset,
+                                                     GLsizeiptr size, void* data);
 
 // X(name, NAME, required): a context that lacks a required one is refused. The others are null
 // where the context does not promise them; `settleOptional` sees to that.
@@ -43,6 +46,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_
     X(Clear, CLEAR, true) \
     X(ClearBufferfv, CLEARBUFFERFV, true) \
     X(ClipControl, CLIPCONTROLEXT, false) \
+    X(ClientWaitSync, CLIENTWAITSYNC, true) \
     X(ColorMask, COLORMASK, true) \
     X(ColorMaski, COLORMASKI, false) \
     X(CompileShader, COMPILESHADER, true) \
@@ -56,6 +60,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_
     X(DeleteRenderbuffers, DELETERENDERBUFFERS, true) \
     X(DeleteSamplers, DELETESAMPLERS, true) \
     X(DeleteShader, DELETESHADER, true) \
+    X(DeleteSync, DELETESYNC, true) \
     X(DeleteTextures, DELETETEXTURES, true) \
     X(DeleteVertexArrays, DELETEVERTEXARRAYS, true) \
     X(DepthFunc, DEPTHFUNC, true) \
@@ -74,6 +79,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_
     X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY, true) \
     X(Enablei, ENABLEI, false) \
     X(EndQuery, ENDQUERY, false) \
+    X(FenceSync, FENCESYNC, true) \
     X(Finish, FINISH, true) \
     X(FramebufferRenderbuffer, FRAMEBUFFERRENDERBUFFER, true) \
     X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D, true) \
@@ -89,6 +95,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_
     X(GetActiveUniform, GETACTIVEUNIFORM, true) \
     X(GetBooleanv, GETBOOLEANV, true) \
     X(GetBufferParameteriv, GETBUFFERPARAMETERIV, true) \
+    X(GetBufferSubData, GETBUFFERSUBDATA, false) \
     X(GetError, GETERROR, true) \
     X(GetFloatv, GETFLOATV, true) \
     X(GetFramebufferAttachmentParameteriv, GETFRAMEBUFFERATTACHMENTPARAMETERIV, true) \
@@ -118,6 +125,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_
     X(IsTexture, ISTEXTURE, true) \
     X(IsVertexArray, ISVERTEXARRAY, true) \
     X(LinkProgram, LINKPROGRAM, true) \
+    X(MapBufferRange, MAPBUFFERRANGE, true) \
     X(ObjectLabel, OBJECTLABEL, false) \
     X(PauseTransformFeedback, PAUSETRANSFORMFEEDBACK, false) \
     X(PixelStorei, PIXELSTOREI, true) \
@@ -148,6 +156,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_
     X(Uniform4iv, UNIFORM4IV, true) \
     X(UniformMatrix3fv, UNIFORMMATRIX3FV, true) \
     X(UniformMatrix4fv, UNIFORMMATRIX4FV, true) \
+    X(UnmapBuffer, UNMAPBUFFER, true) \
     X(UseProgram, USEPROGRAM, true) \
     X(VertexAttribDivisor, VERTEXATTRIBDIVISOR, true) \
     X(VertexAttribPointer, VERTEXATTRIBPOINTER, true) \

@@ -235,6 +235,7 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
     find(gl.GetQueryObjectui64v, "glGetQueryObjectui64v", web ? "EXT" : timers);
 
     find(gl.GetGraphicsResetStatus, "glGetGraphicsResetStatus", resetSuffix(info));
+    find(gl.GetBufferSubData, "glGetBufferSubData", info.web ? "" : nullptr);
 
     dropWhatIsMissing(gl, info);
 

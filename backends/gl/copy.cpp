@@ -87,16 +87,22 @@ Result<Image> GlCopier::read(GlApi& gl, GlState& state, GLuint texture, GLuint n
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.name(), 0);
     if (Status status = takeErrors(gl, "readTexture"); !status) return status.diagnostics();
 
-    setViewport(gl, 0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height));
-    gl.UseProgram(fetch_bits_.name());
-    state.bindTexture(0, texture, nearest);
-    drawTriangle(gl);
+    fetchBits(gl, state, texture, nearest, extent);
     Image image(extent, 4);
     static_assert(sizeof(GLuint) == sizeof(float));
     gl.ReadPixels(0, 0, extent.width, extent.height, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
                   image.pixels.data());
     if (Status status = takeErrors(gl, "readTexture"); !status) return status.diagnostics();
     return image;
+}
+
+void GlCopier::fetchBits(const GlApi& gl, GlState& state, GLuint texture, GLuint nearest,
+                         Extent extent) const
+{
+    setViewport(gl, 0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height));
+    gl.UseProgram(fetch_bits_.name());
+    state.bindTexture(0, texture, nearest);
+    drawTriangle(gl);
 }
 
 void GlCopier::drawTriangle(const GlApi& gl) const

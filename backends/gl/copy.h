@@ -21,6 +21,10 @@ public:
     Result<Image> read(GlApi& gl, GlState& state, GLuint texture, GLuint nearest,
                        Extent extent) const;
 
+    /// Draws the bits of as many texels of level 0 into the bound framebuffer, of 32-bit integers.
+    void fetchBits(const GlApi& gl, GlState& state, GLuint texture, GLuint nearest,
+                   Extent extent) const;
+
     /// Draws three vertices that have no attributes.
     void drawTriangle(const GlApi& gl) const;
 

@@ -6,6 +6,7 @@
 
 #include "backends/gl/copy.h"
 #include "backends/gl/host/host_texture.h"
+#include "backends/gl/reads.h"
 #include "backends/gl/timers.h"
 
 namespace crevice {
@@ -40,6 +41,11 @@ public:
     void destroy(ObjectId id) override;
     Status writeTexture(TextureId id, const Image& image) override;
     Result<Image> readTexture(TextureId id) override;
+    Status beginRead(int slot, TextureId id) override;
+    std::optional<std::array<float, 4>> takeRead(int slot) override
+    {
+        return reads_.take(gl_, slot);
+    }
     const std::vector<UniformInfo>& uniforms(ProgramId id) const override
     {
         return programs_.at(id.value).uniforms;
@@ -167,6 +173,7 @@ private:
     GlCopier copier_;
     GlSampler samplers_[2][2];
     GlTimers timers_;
+    GlReads reads_;
     GlPool<TextureSlot> textures_;
     GlPool<MeshSlot> meshes_;
     GlPool<GlLinkedProgram> programs_;

@@ -289,6 +289,25 @@ Result<Image> RecordingDevice::readTexture(TextureId id)
     return Image(object->texture.extent, formatInfo(object->texture.format).channels);
 }
 
+Status RecordingDevice::beginRead(int slot, TextureId id)
+{
+    const Object* object = find(id, "beginRead");
+    if (Status status = checkReadable(*this, id); !status) return status;
+    if (Status status = checkContext("texture '" + object->label + "'"); !status) return status;
+    if (in_pass_) blame("texture '" + object->label + "' is read inside a pass");
+    if (!object->defined) blame("texture '" + object->label + "' is read, with undefined content");
+    record(Call::begin_read, id.value);
+    std::array<float, 4>& texel = reads_[slot].emplace();
+    for (int i = 0; i < object->image.channels; ++i) texel[i] = object->image.pixels[i];
+    return {};
+}
+
+std::optional<std::array<float, 4>> RecordingDevice::takeRead(int slot)
+{
+    if (results_held_) return std::nullopt;
+    return std::exchange(reads_[slot], std::nullopt);
+}
+
 const std::vector<UniformInfo>& RecordingDevice::uniforms(ProgramId id) const
 {
     return objects_.at(id.value).uniforms;

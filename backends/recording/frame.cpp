@@ -250,14 +250,14 @@ void RecordingDevice::endTimer()
 
 bool RecordingDevice::timerReady(int slot)
 {
-    return !timers_held_ || !measured_[static_cast<std::size_t>(slot)];
+    return !results_held_ || !measured_[static_cast<std::size_t>(slot)];
 }
 
 double RecordingDevice::readTimer(int slot)
 {
     record(Call::read_timer, 0, {static_cast<std::uint32_t>(slot)});
     if (in_frame_) blame("readTimer inside a frame");
-    if (timers_held_) blame("readTimer waits");
+    if (results_held_) blame("readTimer waits");
     const auto index = static_cast<std::size_t>(slot);
     const bool known = index < measured_.size() && measured_[index];
     const std::size_t of_frame = index % kMaxFrameTimers;

@@ -12,14 +12,11 @@ namespace crevice {
 namespace {
 
 constexpr const char* kCallNames[] = {
-    "createTexture", "createFramebuffer", "createProgram",
-    "createMesh",    "adoptMesh",         "adoptTexture",
-    "refresh",       "destroy",           "writeTexture",
-    "readTexture",   "beginFrame",        "endFrame",
-    "beginPass",     "endPass",           "setProgram",
-    "setTexture",    "setUniform",        "draw",
-    "drawByHost",    "drawFullscreen",    "present",
-    "finish",        "beginTimer",        "endTimer",
+    "createTexture",  "createFramebuffer", "createProgram", "createMesh",   "adoptMesh",
+    "adoptTexture",   "refresh",           "destroy",       "writeTexture", "readTexture",
+    "beginRead",      "beginFrame",        "endFrame",      "beginPass",    "endPass",
+    "setProgram",     "setTexture",        "setUniform",    "draw",         "drawByHost",
+    "drawFullscreen", "present",           "finish",        "beginTimer",   "endTimer",
     "readTimer",
 };
 constexpr const char* kKindNames[] = {"texture", "mesh", "program", "framebuffer"};
@@ -221,6 +218,7 @@ std::string RecordingDevice::arguments(const Record& call) const
             .add(object)
             .text();
     case Call::write_texture:
+    case Call::begin_read:
     case Call::read_texture: return line.add(object).text();
     case Call::begin_pass: return passText(passes_[at[0]]);
     case Call::set_program: return line.add(object).text() + stateText(at);

@@ -124,6 +124,19 @@ Status Renderer::setTiming(bool on)
 
 const FrameTimes* Renderer::times() const { return state_->execution->times(); }
 
+void Renderer::follow(std::string_view output)
+{
+    std::vector<std::string>& names = state_->followed;
+    if (contains(names, output) || names.size() >= kMaxReads) return;
+    names.emplace_back(output);
+    state_->execution->follow(names);
+}
+
+const std::array<float, 4>* Renderer::value(std::string_view output) const
+{
+    return state_->execution->value(output);
+}
+
 void Renderer::takeTimes() { state_->execution->takeTimes(); }
 
 Status Renderer::State::setParam(ParamDesc& param, const std::array<float, 4>& value)

@@ -29,6 +29,7 @@ struct Renderer::State {
     SceneTraits traits = {};
     std::unique_ptr<Execution> execution = nullptr;
     bool timing = false;
+    std::vector<std::string> followed = {};
     std::vector<Level> levels = {};
     int level = -1;  ///< That is drawn, of those.
 
@@ -42,9 +43,10 @@ struct Renderer::State {
         auto made = Execution::create(*device, std::move(*plan), execution.get(), remember);
         if (!made) return made.diagnostics();
         if (timing) (void)(*made)->setTiming(true);
-        return {
-            State{device, loaded, std::move(other), with_options, scene, std::move(*made), timing},
-            plan.diagnostics()};
+        (*made)->follow(followed);
+        return {State{device, loaded, std::move(other), with_options, scene, std::move(*made),
+                      timing, followed},
+                plan.diagnostics()};
     }
 
     /// Takes the place of this one, and its levels.

@@ -116,6 +116,7 @@ void Execution::setParam(std::string_view name, const float* values)
 Status Execution::run(const Frame& frame)
 {
     takeTimes();
+    takeReads();
     return draw(frame, timers_, false);
 }
 
@@ -233,7 +234,9 @@ bool Execution::takeUniforms(PreparedPass& pass)
 
 Status Execution::end(const Frame& frame)
 {
-    Status status = device_.endFrame();
+    Status status = beginReads();
+    const Status ended = device_.endFrame();
+    if (!ended) status = ended;
     for (PreparedView& view : views_) view.history.valid = status.ok();
     if (!status) cache_.clear();
     if (!status) return status;
@@ -241,6 +244,39 @@ Status Execution::end(const Frame& frame)
     append(warnings, warnings_.take());
     if (drawn_.elided) append(warnings, warnElided(frame, device_));
     return warnings;
+}
+
+void Execution::follow(const std::vector<std::string>& outputs)
+{
+    for (const std::string& name : outputs)
+        if (!findNamed(followed_, name)) followed_.push_back({{name}});
+}
+
+const std::array<float, 4>* Execution::value(std::string_view output) const
+{
+    const Followed* found = findNamed(followed_, output);
+    return found && found->value ? &*found->value : nullptr;
+}
+
+void Execution::takeReads()
+{
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
+        const auto value = device_.takeRead(static_cast<int>(i));
+        if (!value || !followed_[i].in_flight) continue;
+        followed_[i].in_flight = false;
+        followed_[i].value = value;
+    }
+}
+
+Status Execution::beginReads()
+{
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
+        const TextureId read = output(followed_[i].name, 0);
+        if (!read || followed_[i].in_flight) continue;
+        if (Status status = device_.beginRead(static_cast<int>(i), read); !status) return status;
+        followed_[i].in_flight = true;
+    }
+    return {};
 }
 
 // What was written last frame is now read, and the other way round.

@@ -58,6 +58,12 @@ public:
     const FrameTimes* times() const { return timers_.latest(); }
     void takeTimes() { timers_.collect(device_); }
 
+    /// Has `run` read the first texel of these outputs, at most kMaxReads, from now on.
+    void follow(const std::vector<std::string>& outputs);
+
+    /// What it was in the latest frame whose read is through; nothing before there is one.
+    const std::array<float, 4>* value(std::string_view output) const;
+
     /// Sets a param of the plan to as many floats as its type has. Does nothing if no pass uses it.
     void setParam(std::string_view name, const float* values);
 
@@ -111,6 +117,11 @@ private:
         const Material* material = nullptr;     // whose textures are bound; null likewise
     };
 
+    struct Followed : Named {
+        bool in_flight = false;
+        std::optional<std::array<float, 4>> value = {};
+    };
+
     struct PreparedView {
         FrameHistory history;  // for the next frame
         FrameHistory before;   // for this one
@@ -147,6 +158,8 @@ private:
     bool beginView(const Frame& frame, PreparedView& view, const Camera& camera);
     void setView(const Frame& frame, const PreparedView& view);
     Status end(const Frame& frame);
+    Status beginReads();
+    void takeReads();
     bool takeUniforms(PreparedPass& pass);
     void swapHistories();
     void clearHistory(const PreparedPass& pass);
@@ -166,6 +179,7 @@ private:
     ValueTable values_{plan_};
     PassCache cache_{plan_};
     PassTimers timers_;
+    std::vector<Followed> followed_;  // by slot of the device
     std::vector<char> changed_ = std::vector<char>(plan_.passes.size() * plan_.views);  // by run
     DrawnList drawn_;  // what draw passes drew last
     ViewDraws view_draws_{drawn_};

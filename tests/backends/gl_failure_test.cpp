@@ -44,6 +44,11 @@ struct Host {
     }
 
     Status draw() { return renderer->render(frame); }
+    Status follow()
+    {
+        renderer->follow("ao");
+        return draw();
+    }
 
     Status present() { return device->present(renderer->output("color"), {0, 0, 0, kSize}); }
 
@@ -78,7 +83,8 @@ struct Host {
 
 const Host::Step kSteps[] = {&Host::makeDevice, &Host::makeMesh, &Host::makeRenderer, &Host::draw,
                              &Host::present,    &Host::read,     &Host::resize,       &Host::draw,
-                             &Host::define,     &Host::write,    &Host::adopt,        &Host::draw};
+                             &Host::define,     &Host::write,    &Host::adopt,        &Host::follow,
+                             &Host::draw};
 
 constexpr std::size_t kMakesRenderer = 2;
 

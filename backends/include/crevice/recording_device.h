@@ -72,8 +72,8 @@ public:
         caps_.timers = !timers_ms_.empty();
     }
 
-    /// Holds the results of timers back, as a GPU does that is behind: timerReady is then false.
-    void holdTimers(bool hold) { timers_held_ = hold; }
+    /// Holds the results of timers and of beginRead back, as a GPU does that is behind.
+    void holdResults(bool hold) { results_held_ = hold; }
 
     /// Gives every coming program that uniform, in the place of its own of the same name: as a
     /// driver would that sees what the text does not show.
@@ -105,6 +105,10 @@ public:
 
     /// What writeTexture put there, or zeros.
     Result<Image> readTexture(TextureId id) override;
+
+    /// What writeTexture put into the first texel, or zeros.
+    Status beginRead(int slot, TextureId id) override;
+    std::optional<std::array<float, 4>> takeRead(int slot) override;
 
     /// Every uniform that the program's stages declare, in the order of the text.
     const std::vector<UniformInfo>& uniforms(ProgramId id) const override;
@@ -139,6 +143,7 @@ private:
         destroy,
         write_texture,
         read_texture,
+        begin_read,
         begin_frame,
         end_frame,
         begin_pass,
@@ -225,7 +230,8 @@ private:
     std::vector<UniformInfo> forced_;
     std::vector<double> timers_ms_;
     std::bitset<kMaxTimers> measured_;  // timers that ran
-    bool timers_held_ = false;
+    bool results_held_ = false;
+    std::array<std::optional<std::array<float, 4>>, kMaxReads> reads_;
     bool in_timer_ = false;
     bool frame_fails_ = false;
     bool lost_ = false;

@@ -72,6 +72,16 @@ public:
     /// Takes the results that are in by now, as `render` does before it draws.
     void takeTimes();
 
+    /// Has `render` read the first texel of an output from now on, without a wait: a mean or an
+    /// estimate that the plan computed. Costs a draw of one pixel a frame. At most kMaxReads may be
+    /// followed; more are ignored, and so are outputs while they are not drawn.
+    void follow(std::string_view output);
+
+    /// That texel's channels, those that the format lacks as GLSL has them, in the latest frame
+    /// whose read is through: two or three frames ago. Null before there is one, after each new
+    /// plan, and for outputs that are not followed. Good until the next `render`.
+    const std::array<float, 4>* value(std::string_view output) const;
+
     /// Sets a param's value: as many floats as it has components, or the three of a length
     /// (ParamDesc::value). Costs nothing, but for params bound as defines, those that a count or
     /// size is taken from, values at which a pass is or was a no-op and a radius that other formats

@@ -160,7 +160,7 @@ TEST_CASE("While frames are shown, times of earlier ones come without a wait")
     Rig rig;
     rig.device.setTimers(kFourTimes);
     need(rig.renderer->setTiming(true));
-    rig.device.holdTimers(true);
+    rig.device.holdResults(true);
     const auto show = [&rig] {
         rig.frame.revision += 1;  // so that all passes run
         rig.device.clearLog();
@@ -170,12 +170,45 @@ TEST_CASE("While frames are shown, times of earlier ones come without a wait")
     for (int i = 0; i < kTimedFrames; ++i) CHECK(show());
     CHECK(rig.renderer->times() == nullptr);
     CHECK_FALSE(show());  // the ring is full, and nothing waits
-    rig.device.holdTimers(false);
+    rig.device.holdResults(false);
     CHECK(show());
     REQUIRE(rig.renderer->times());
     CHECK(rig.renderer->times()->method == TimingMethod::gpu_timer);
     CHECK(rig.renderer->times()->pass_ms == kFourTimes);
     CHECK(rig.renderer->times()->total_ms == Approx(7.75));
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("While frames are shown, a texel of an earlier one comes without a wait")
+{
+    Rig rig;
+    const auto show = [&rig] {
+        rig.draw();
+        const std::array<float, 4>* const texel = rig.renderer->value("ao");
+        return texel ? (*texel)[0] : -1.0f;
+    };
+    CHECK(show() == -1);
+    CHECK_FALSE(rig.logged("beginRead"));
+    rig.renderer->follow("ao");
+    rig.renderer->follow("ao");
+    rig.renderer->follow("none of that name");
+    const auto write = [&rig](float value) {
+        const TextureId ao = rig.renderer->output("ao");
+        need(rig.device.writeTexture(ao, Image({64, 32}, 1, value)));
+    };
+    write(0.25f);
+    CHECK(show() == -1);
+    CHECK(rig.logged("beginRead"));
+    rig.device.holdResults(true);
+    write(0.5f);
+    CHECK(show() == -1);
+    CHECK_FALSE(rig.logged("beginRead"));  // one at a time
+    rig.device.holdResults(false);
+    CHECK(show() == 0.25f);
+    CHECK(show() == 0.5f);
+    need(rig.renderer->setParam("intensity", 0));  // a new plan
+    CHECK(show() == -1);
+    CHECK(show() == 0);
     CHECK(rig.device.misuse().empty());
 }
 

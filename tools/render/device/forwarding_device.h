@@ -41,6 +41,11 @@ public:
         return device_.writeTexture(id, image);
     }
     Result<Image> readTexture(TextureId id) override { return device_.readTexture(id); }
+    Status beginRead(int slot, TextureId id) override { return device_.beginRead(slot, id); }
+    std::optional<std::array<float, 4>> takeRead(int slot) override
+    {
+        return device_.takeRead(slot);
+    }
     const std::vector<UniformInfo>& uniforms(ProgramId id) const override
     {
         return device_.uniforms(id);

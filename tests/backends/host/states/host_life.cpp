@@ -138,6 +138,8 @@ struct HostLife::Run {
 
     void draw(const char* step)
     {
+        (void)effect->value("ao");
+        after("taking a value");
         need(effect->render());
         after(step);
         images.push_back(need(device->readTexture(effect->output("ao"))));
