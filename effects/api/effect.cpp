@@ -156,6 +156,8 @@ struct Effect::State {
         const FrameTimes* const times = renderer->times();
         if (times && times->count != std::exchange(times_taken, times->count))
             governor->addTime(times->total_ms, renderer->level());
+        const std::array<float, 4>* const estimate = renderer->value(kErrorEstimate);
+        governor->setEstimate(estimate ? (*estimate)[0] : 0.0);
         Diagnostics all = goTo(governor->level());
         const Status drawn = renderer->render(frame);
         if (!drawn) return drawn;
@@ -311,6 +313,7 @@ Status Effect::govern(Governor governor, std::vector<Description> levels)
     const Status status = state_->renderer->setLevels(std::move(levels), governor.level());
     if (!status) return status;
     state_->governor = std::move(governor);
+    state_->renderer->follow(kErrorEstimate);
     state_->has_toured = false;
     Diagnostics all = status.diagnostics();
     append(all, state_->renderer->setTiming(true).diagnostics());
@@ -346,6 +349,13 @@ Status Effect::present(std::string_view output, const HostFramebuffer& target, i
     Diagnostic unknown{Code::output_missing, "there is no output '" + std::string(output) + "'"};
     unknown.help = suggestName(output, namesOf(plan.outputs), "outputs");
     return unknown;
+}
+
+std::optional<float> Effect::value(std::string_view output)
+{
+    state_->renderer->follow(output);
+    const std::array<float, 4>* const texel = state_->renderer->value(output);
+    return texel ? std::optional<float>((*texel)[0]) : std::nullopt;
 }
 
 TextureId Effect::output(std::string_view name, int view) const

@@ -198,7 +198,7 @@ void Governor::stayAt(int level)
 GovernorReport Governor::report() const
 {
     const FrontLevel& now = levels_[static_cast<std::size_t>(level())];
-    return {level(), ms_, load_ * used_[now_].cost, now.error};
+    return {level(), ms_, load_ * used_[now_].cost, now.error, estimate_};
 }
 
 }  // namespace crevice

@@ -72,6 +72,7 @@ static void check_nulls(void)
     CHECK(crevice_effect_output_name(NULL, 0)[0] == 0);
     EXPECT(none, crevice_effect_get_output(NULL, "ao", NULL));
     EXPECT(none, crevice_effect_present(NULL, "ao", NULL));
+    EXPECT(none, crevice_effect_get_value(NULL, "ao", NULL, NULL));
     EXPECT(none, crevice_effect_read_output(NULL, "ao", NULL, 0));
     crevice_mesh* mesh = NULL;
     EXPECT(none, crevice_mesh_create(NULL, NULL, &mesh));
@@ -120,6 +121,7 @@ static void check_nulls_of(crevice_effect* effect)
     EXPECT(none, crevice_effect_get_output(effect, NULL, NULL));
     EXPECT(none, crevice_effect_present(effect, NULL, &target));
     EXPECT(none, crevice_effect_present(effect, "ao", NULL));
+    EXPECT(none, crevice_effect_get_value(effect, "ao", NULL, NULL));
     EXPECT(none, crevice_effect_read_output(effect, "ao", NULL, 0));
     EXPECT(none, crevice_effect_set_views(effect, NULL, 1));
     EXPECT(none, crevice_effect_set_view_texture(effect, 0, NULL, &texture));

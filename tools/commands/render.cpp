@@ -69,9 +69,14 @@ void printSummary(const RenderOptions& options, const Session& session, const Sc
         printMessage("this is frame 1 of a config that accumulates: --frames %d draws its mean\n",
                      kGatheringFrames);
     for (const Picture& picture : pictures)
-        printMessage("wrote %s (%s%s)\n", printableLine(picture.request.file).c_str(),
-                     printableLine(picture.request.name).c_str(),
-                     otherSize(picture, view.extent).c_str());
+        if (picture.request.file.empty())
+            print("%s is %s\n", picture.request.name.c_str(),
+                  significant(picture.image.pixels[0], 3).c_str());
+    for (const Picture& picture : pictures)
+        if (!picture.request.file.empty())
+            printMessage("wrote %s (%s%s)\n", printableLine(picture.request.file).c_str(),
+                         printableLine(picture.request.name).c_str(),
+                         otherSize(picture, view.extent).c_str());
 }
 
 void printJson(const RenderOptions& options, const Session& session, const SceneView& view,
@@ -81,8 +86,12 @@ void printJson(const RenderOptions& options, const Session& session, const Scene
     nlohmann::json files = nlohmann::json::array(), textures = nlohmann::json::object();
     for (const HostTextures::Picture& each : session.host->pictures())
         textures[each.name] = each.file;
+    nlohmann::json values = nlohmann::json::object();
     for (const Picture& picture : pictures)
-        files.push_back({{"name", picture.request.name}, {"file", picture.request.file}});
+        if (picture.request.file.empty())
+            values[picture.request.name] = picture.image.pixels[0];
+        else
+            files.push_back({{"name", picture.request.name}, {"file", picture.request.file}});
     nlohmann::json json = {
         {"config", nameOf(options, session)},
         {"scene", view.scene.name},
@@ -97,6 +106,7 @@ void printJson(const RenderOptions& options, const Session& session, const Scene
         {"create_ms", session.create_ms},
         {"first_frame_ms", ms},
         {"files", files},
+        {"values", std::move(values)},
         {"diagnostics", nlohmann::json::parse(toJson(warnings))},
     };
     if (const ProgramFolder* programs = session.open.programs.get())
@@ -317,11 +327,11 @@ void addPictureOptions(CLI::App& app, RenderOptions& options)
     addList(app, "--texture", options.textures, "NAME=FILE",
             "A picture for a texture that the config imports, such as environment=sky.hdr of "
             "lighting/metallic_roughness; may be repeated");
-    addList(app, "--out", options.out, "NAME=FILE",
-            "What to write where: an output, a debug view or a target (target.NAME where an output "
-            "has that name), to .png, .pfm or .exr; may be repeated; with --host-depth ao=ao.png "
-            "unless "
-            "told")
+    addList(
+        app, "--out", options.out, "NAME=FILE",
+        "What to write where: an output, a debug view or a target (target.NAME where an output "
+        "has that name), to .png, .pfm or .exr; a name alone, such as doubt_rmse, prints what is "
+        "one number; may be repeated; with --host-depth ao=ao.png unless told")
         ->capture_default_str();
     app.add_option("--frames", options.frames,
                    "Number of frames to draw; the last one is written. Configs that accumulate "

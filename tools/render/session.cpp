@@ -5,6 +5,7 @@
 #include "tools/render/glsl/glsl_check.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/view_diagnosis.h"
+#include "tools/show/plan/print.h"
 
 namespace crevice {
 namespace {
@@ -29,7 +30,12 @@ Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
     if (!image) return image.diagnostics();
     picture.image = std::move(*image);
     applyView(picture.image, picture.source);
-    return {};
+    if (!picture.request.file.empty() || picture.image.extent == Extent{1, 1}) return {};
+    const std::string& name = picture.request.name;
+    return Diagnostic{Code::usage,
+                      "'" + name + "' is a picture of " + sizeText(picture.image.extent) +
+                          ", and --out names no file for it",
+                      "write --out " + name + "=" + name + ".png"};
 }
 
 }  // namespace
@@ -43,6 +49,10 @@ Result<std::vector<Picture>> readRequests(const RenderOptions& options)
     for (const std::string& text : options.out) {
         const Result<OutputRequest> request = parseOutputRequest(text);
         if (!request) return request.diagnostics();
+        if (request->file.empty() && !frames) {
+            pictures.push_back({*request, {}});
+            continue;
+        }
         if (frames)
             if (const Status known = checkFramePattern(request->file); !known)
                 return known.diagnostics();
@@ -188,7 +198,8 @@ Status writePictures(const std::vector<Picture>& pictures)
 {
     Diagnostics all;
     for (const Picture& picture : pictures)
-        append(all, writeImage(picture.request.file, picture.image).diagnostics());
+        if (!picture.request.file.empty())
+            append(all, writeImage(picture.request.file, picture.image).diagnostics());
     return all;
 }
 

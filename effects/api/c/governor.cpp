@@ -91,7 +91,7 @@ crevice_error* crevice_effect_get_governor(const crevice_effect* effect,
         const GovernorReport now = governor.report();
         const std::string& config = governor.levels()[static_cast<std::size_t>(now.level)].name;
         give(crevice_governor_report{sizeof(crevice_governor_report), now.level, config.c_str(),
-                                     now.ms, now.predicted_ms, now.error},
+                                     now.ms, now.predicted_ms, now.error, now.estimate},
              report);
         return given;
     });

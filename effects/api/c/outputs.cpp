@@ -198,6 +198,21 @@ crevice_error* crevice_effect_read_output(const crevice_effect* effect, const ch
     });
 }
 
+crevice_error* crevice_effect_get_value(crevice_effect* effect, const char* name, float* value,
+                                        bool* known)
+{
+    return onEffect(effect, [&] {
+        const Status given = firstOf(checkGiven(name, "the output's name"),
+                                     checkGiven(value, "the place for the value"),
+                                     checkGiven(known, "the place for whether it is known"));
+        if (!given) return given;
+        const std::optional<float> read = effect->effect->value(name);
+        *known = read.has_value();
+        if (read) *value = *read;
+        return given;
+    });
+}
+
 crevice_error* crevice_effect_set_timing(crevice_effect* effect, bool on)
 {
     return onEffect(effect, [&] { return effect->effect->renderer().setTiming(on); });

@@ -40,9 +40,10 @@ public:
     /// `config` is the name of a shipped config ("balanced"), or with modules laid over it
     /// ("balanced+geometry/host_depth"); the path of a file that ends in ".json"; or JSON text that
     /// begins with '{'. Files that a JSON text names are found as those of a file in the current
-    /// folder. `outputs` names those that are wanted, such
-    /// as {"ao"}; passes that none of them needs are left out. Empty means all. A config that asks
-    /// for more than `limits` is refused (<crevice/config.h>); null means those there.
+    /// folder. `outputs` names those that are wanted, such as {"ao"}; passes that none of them
+    /// needs are left out. Empty means all but those that are drawn on request, such as "doubt". A
+    /// config that asks for more than `limits` is refused (<crevice/config.h>); null means those
+    /// there.
     ///
     /// Errors: those of loadConfig, decode and Renderer::create.
     static Result<Effect> create(Device& device, std::string_view config, Extent size,
@@ -135,6 +136,11 @@ public:
     /// The same with format and size. Good until the next call of `render`, `resize`, `setParam` or
     /// `setFeature`, and as long as the effect.
     OutputTexture outputTexture(std::string_view name, int view = 0) const;
+
+    /// The red of an output's first pixel two or three frames ago: of outputs that are one number,
+    /// such as "doubt_rmse". Read without a wait, from the first call on; nothing before it is
+    /// there, and where it is not drawn (<crevice/renderer.h>, follow).
+    std::optional<float> value(std::string_view output);
 
     /// Draws an output into a framebuffer or texture of the host's, scaled to a rectangle in it;
     /// AO, which has one channel, as grey.

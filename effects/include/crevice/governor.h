@@ -58,7 +58,12 @@ struct GovernorReport {
     double ms = 0;            ///< The latest time at the level; 0 before there is one.
     double predicted_ms = 0;  ///< What the level is predicted to take; above the budget: none fits.
     double error = 0;         ///< The bench's, as the front has it; 0 where it is not known.
+    double estimate = 0;      ///< Of the picture's, two or three frames ago (kErrorEstimate); or 0.
 };
+
+/// The output that estimates a frame's error without knowing the truth (docs/reference/doubt.md).
+/// Ask for it in Effect::create, as outputs {"ao", kErrorEstimate}, and take levels that have it.
+constexpr const char* kErrorEstimate = "doubt_rmse";
 
 class Governor {
 public:
@@ -82,6 +87,10 @@ public:
 
     /// Goes on with another budget. Errors: CV4001 unless it is above 0; the old one stays.
     Status setBudget(double budget_ms);
+
+    /// Takes what `report` says the drawn picture's error is expected to be; levels do not depend
+    /// on it.
+    void setEstimate(double error) { estimate_ = error; }
 
     /// Goes on at a level that was drawn, the present one being impossible to draw.
     void stayAt(int level);
@@ -113,6 +122,7 @@ private:
     std::vector<double> loads_;  // the first kSettled at this level, then the last ones, in turn
     std::size_t times_ = 0;      // at this level
     double ms_ = 0;              // the latest
+    double estimate_ = 0;        // of the error
     double load_ = 1;            // ... divided by the cost, or what a step down was decided by
     double before_ = 0;          // load at the level of before, until the step is learnt from
     std::size_t other_ = 0;      // that level

@@ -239,13 +239,18 @@ double clockSeconds()
 
 Result<OutputRequest> parseOutputRequest(const std::string& text)
 {
+    const auto is_file = [](const std::string& file) {
+        const std::string extension = lowerExtension(file);
+        return extension == ".png" || extension == ".pfm" || extension == ".exr";
+    };
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+    const bool alone = equals == std::string::npos;
+    if (alone && !text.empty() && !is_file(text)) return OutputRequest{text, ""};
+    if (alone || equals == 0 || equals + 1 == text.size())
         return Diagnostic{Code::usage, "--out '" + text + "' is not NAME=FILE",
                           "write --out color=lit.png or --out ao=ao.pfm"};
     OutputRequest request{text.substr(0, equals), text.substr(equals + 1)};
-    const std::string extension = lowerExtension(request.file);
-    if (extension != ".png" && extension != ".pfm" && extension != ".exr")
+    if (!is_file(request.file))
         return Diagnostic{Code::usage,
                           "the file '" + request.file + "' of --out is none of .png, .pfm and .exr",
                           "PNG holds 8 bits a channel for looking at, PFM and EXR 32-bit floats"};

@@ -90,14 +90,14 @@ bool interrupted();
 double clockSeconds();
 
 /// What `crevice render --out NAME=FILE` asks for: an output, a debug view or any target, in a
-/// file.
+/// file; or with NAME alone one that is a number, to be printed.
 struct OutputRequest {
     std::string name;
-    std::string file;  ///< Ends in .png, .pfm or .exr.
+    std::string file;  ///< Ends in .png, .pfm or .exr; or empty.
 };
 
-/// Reads "color=lit.png". Errors: CV8001 where the '=' or either side is missing, or the file is
-/// neither PNG nor PFM.
+/// Reads "color=lit.png" or "doubt_rmse". Errors: CV8001 where either side of the '=' is missing,
+/// or the file is of another kind.
 Result<OutputRequest> parseOutputRequest(const std::string& text);
 
 /// The file of a frame, [0, ...): "frame_%03d.png" gives "frame_007.png". `pattern` is one that

@@ -94,6 +94,7 @@ TEST_CASE("an output request is a name, the first equals sign and a file of a kn
     const auto request = need(parseOutputRequest("color=a=b.PNG"));
     CHECK(request.name == "color");
     CHECK(request.file == "a=b.PNG");
+    CHECK(need(parseOutputRequest("doubt_rmse")).file.empty());
     checkRefused(parseOutputRequest, Code::usage,
                  {"lit.png", "=lit.png", "color=", "", "color=lit", "color=lit.jpg",
                   "color=folder.png/lit"});

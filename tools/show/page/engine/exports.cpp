@@ -100,6 +100,7 @@ Result<Shown> shownOf(const Side& side)
     if (!source) return source.diagnostics();
     const TextureId texture = slot.renderer().output(source->output);
     const FormatInfo& format = formatInfo(engine.device->info(texture).format);
+    if (side.show == "doubt") return Shown{texture, float(1 / kHeatRange), 0, true, true};
     const bool plain = source->scale == 1.0f && source->offset == 0.0f;
     const bool bounded = format.format_class == FormatClass::unorm || side.show == "color";
     if (!plain || bounded)

@@ -124,7 +124,10 @@ Result<Display> Display::create(Device& device, const std::string& config,
 Status Display::draw(const Shown& left, const Shown& right, float split)
 {
     const auto set = [this](const char* name, const Shown& shown) {
-        const float view[] = {shown.scale, shown.offset, shown.grey ? 1.0f : 0.0f};
+        const float view[] = {shown.scale, shown.offset,
+                              shown.heat   ? 2.0f
+                              : shown.grey ? 1.0f
+                                           : 0.0f};
         return renderer_->setParam(name, view, 3);
     };
     Status status = renderer_->setParam("split", split);

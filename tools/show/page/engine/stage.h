@@ -46,6 +46,7 @@ struct Shown {
     float scale = 1.0f;
     float offset = 0.0f;
     bool grey = false;
+    bool heat = false;  ///< In its place: black, red, yellow, white.
 };
 
 /// Scale and offset that spread what an image holds over [0, 1]: of depth without the background.

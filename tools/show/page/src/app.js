@@ -6,13 +6,14 @@ import {Knobs} from "./knobs.js";
 
 export const SLOT = {a: 0, b: 1, without: 2, unit: 3};  // `unit`: what costs are compared with
 const OUTPUTS = ["color", "ao"];
+const DOUBT = "doubt", DOUBT_RMSE = "doubt_rmse";  // outputs that are drawn on request
 const NO_SUCH_TARGET = "CV2209";
 const APPLY_AFTER_MS = 250;  // of the last key in an editor
 
-/// A view is "color", "ao", "without" (lit without AO), "view:NAME" (a view of the config's) or "target:NAME". The engine's
+/// A view is "color", "ao", "without" (lit without AO), "doubt", "view:NAME" (a view of the config's) or "target:NAME". The engine's
 /// name of what is looked at beside the outputs, or null:
 export const lookOf = show =>
-  show.startsWith("target:") ? "target." + show.slice(7) : show.startsWith("view:") ? show.slice(5) : null;
+  show.startsWith("target:") ? "target." + show.slice(7) : show.startsWith("view:") ? show.slice(5) : show === DOUBT ? show : null;
 export const drawnName = show => lookOf(show) ?? (show === "without" ? "color" : show);
 
 export class App {
@@ -125,7 +126,7 @@ export class App {
 
   request(side, slot) {
     const {config, variant} = this.effective(side), load = look => this.ask(() => this.engine.load(slot, {
-      config, variant, outputs: OUTPUTS, look,
+      config, variant, outputs: side.show === DOUBT ? [...OUTPUTS, DOUBT_RMSE] : OUTPUTS, look,
       without_occlusion: side.show === "without" && slot !== SLOT.a
     }));
     const look = lookOf(side.show), answer = load(look ?? undefined);
@@ -169,7 +170,13 @@ export class App {
     const outputs = OUTPUTS.filter(name => state.outputs.includes(name));
     const without = outputs.includes("color") ? ["without"] : [];
     const targets = [...new Set(state.targets.map(t => "target:" + t.name))];
-    return [...outputs, ...without, ...state.views.map(v => "view:" + v.name), ...targets];
+    const doubt = state.outputs.includes(DOUBT) && state.outputs.includes(DOUBT_RMSE) ? [DOUBT] : [];
+    return [...outputs, ...without, ...doubt, ...state.views.map(v => "view:" + v.name), ...targets];
+  }
+  /// The rmse that is expected of what a slot shows, where it shows that; else null.
+  expected(side, slot) {
+    const read = side.show === DOUBT ? this.ask(() => this.engine.readBack(slot, DOUBT_RMSE)) : {};
+    return read.answer?.ok ? read.values[0] : null;
   }
   loadOthers() {
     if (this.a.show === "without") this.must(() => this.request({...this.a}, SLOT.without));

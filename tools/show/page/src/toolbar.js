@@ -3,8 +3,9 @@
 import {SLOT} from "./app.js";
 import {$, copyText, fillSelect, press} from "./dom.js";
 import {shareLink} from "./link.js";
+import {round} from "./scale.js";
 
-const NAMES = {color: "Lit", ao: "AO", without: "Without AO"};
+const NAMES = {color: "Lit", ao: "AO", without: "Without AO", doubt: "Doubt"};
 const nameOf = show => NAMES[show] ?? show.replace(/^(target|view):/, "");
 const OWN_MODEL = "\u0000own";
 
@@ -88,5 +89,6 @@ function viewsOf(app, state) {
 // Without a config B is another picture of A's, which costs nothing of its own.
 function nameOfSide(app, side, slot) {
   const {config, variant} = app.effective(side), cost = side.config ? app.timing.said(slot, config) + " · " : "";
-  return `${cost}${config}${variant ? ":" + variant : ""} · ${nameOf(side.show)}`;
+  const rmse = app.expected(side, slot), expected = rmse === null ? "" : `, rmse about ${round(rmse, 2)}`;
+  return `${cost}${config}${variant ? ":" + variant : ""} · ${nameOf(side.show)}${expected}`;
 }

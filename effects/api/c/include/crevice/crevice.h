@@ -619,6 +619,13 @@ CREVICE_API crevice_error* crevice_effect_read_output(const crevice_effect* effe
                                                       const char* name, float* pixels,
                                                       size_t count);
 
+/// The red of an output's first pixel two or three frames ago, read without a wait: of outputs that
+/// are one number, such as "doubt_rmse", the error that the picture's AO is expected to have. The
+/// first call has crevice_effect_render read it from then on. `known` is false, and `value` as it
+/// was, before it is there, and where the output is not drawn: ask for it in crevice_effect_desc.
+CREVICE_API crevice_error* crevice_effect_get_value(crevice_effect* effect, const char* name,
+                                                    float* value, bool* known);
+
 // ---- What a frame costs -------------------------------------------------------------------------
 
 /// Has crevice_effect_render measure from now on what each pass takes on the GPU. Nothing waits, so
@@ -682,6 +689,7 @@ typedef struct crevice_governor_report {
     double milliseconds;  ///< Its latest time; 0 before there is one.
     double predicted_ms;  ///< What it is predicted to take; above the budget: no level fits.
     double error;         ///< The bench's; 0: not known.
+    double estimate;      ///< The value of "doubt_rmse", where the effect draws it; or 0.
 } crevice_governor_report;
 
 /// Errors: CV6011 for an effect that is not governed.

@@ -1,10 +1,10 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// Two pictures beside each other, each as value * scale + offset; one channel as grey.
+// Two pictures beside each other, each as value * scale + offset; one channel as grey or as heat.
 //
 //   left, right            any texture; nearest texel
 //   split                  left of this share of the width `left` is shown, right of it `right`
-//   left_view, right_view  scale, offset, and 1 for grey
+//   left_view, right_view  scale, offset, and 1 for grey, 2 for heat: black, red, yellow, white
 //   picture                rgb; magenta where a value is not finite
 precision highp float;
 
@@ -21,7 +21,9 @@ vec3 shown(vec4 value, vec3 view)
 {
     vec3 color = view.z > 0.5 ? value.rrr : value.rgb;
     bool finite = !any(isnan(color)) && !any(isinf(color));
-    return finite ? color * view.x + view.y : vec3(1.0, 0.0, 1.0);
+    color = color * view.x + view.y;
+    if (view.z > 1.5) color = clamp(color * 3.0 - vec3(0.0, 1.0, 2.0), 0.0, 1.0);
+    return finite ? color : vec3(1.0, 0.0, 1.0);
 }
 
 void main()
