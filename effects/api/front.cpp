@@ -52,7 +52,7 @@ FrontLevel readLevel(table::Report& report, table::Cursor entry)
     table::Reader reader(report, entry);
     reader.field("config", level.name, "The name of a config, as `crevice render` takes it.",
                  table::required());
-    reader.field("set", table::Later(), kSetDoc, table::required());
+    reader.field("set", table::Later(), kSetDoc);
     reader.field("ms", level.ms, "GPU time of a frame in milliseconds, above 0.",
                  table::required());
     reader.field("error", level.error, "The bench's rmse of AO.", table::required());

@@ -40,7 +40,7 @@ std::string one(const std::string& config, const std::string& set, const std::st
 }
 
 const char* const kTwo = R"([{"config": "mobile_low", "set": ["radius=1"], "ms": 0.8, "error": 0.1},
-{"config": "mobile", "set": [], "ms": 1.5, "error": 0.05}])";
+{"config": "mobile", "ms": 1.5, "error": 0.05}])";
 
 }  // namespace
 

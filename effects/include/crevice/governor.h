@@ -36,7 +36,7 @@ struct FrontLevel : Named {
 constexpr std::size_t kMostLevels = 64;
 
 /// Reads a front, as `crevice choose --write-front` writes it: levels by rising ms. `front` is a
-/// file's path, or JSON text that begins with '{'. `scene`, `size` and `device` may be missing.
+/// file's path, or JSON text that begins with '{'. `scene`, `size`, `device`, `set` may be missing.
 ///
 ///     { "format": "crevice-front-1", "scene": "room", "size": [960, 540], "device": "...",
 ///       "levels": [ {"config": "mobile", "set": ["radius=1"], "ms": 1.1, "error": 0.078}, ... ] }
