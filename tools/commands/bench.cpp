@@ -66,13 +66,10 @@ void printMotion(const BenchPlan& plan, const std::vector<BenchSample>& samples,
 void printFirstLook(const BenchCommand& command, const BenchPlan& plan, const BenchTask& task,
                     const SourceSet& sources, Device& device)
 {
-    QuickOptions quick;
-    quick.scene = task.sample.scene;
-    quick.overrides = command.bench.overrides;
+    QuickOptions quick{task.sample.scene,   {}, command.bench.overrides,
+                       command.bench.roots, {}, true};
     if (!command.bench.radii.empty())
         quick.overrides.push_back("radius=" + shortest(command.bench.radii.front()));
-    quick.roots = command.bench.roots;
-    quick.whole_front = true;
     quick.time_s = kFirstLookS;
     quick.interrupted = interrupted;
     QuickBench bench(device, plan.views[task.view], sources, std::move(quick));

@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -39,8 +40,6 @@ void nameViews(std::vector<ResultView>& views)
     }
 }
 
-long long pixelCount(Extent extent) { return 1LL * extent.width * extent.height; }
-
 /// The extent with the most samples on the device; of equals, the one with more pixels.
 Extent commonExtent(const std::vector<ResultView>& views, const std::string& device)
 {
@@ -48,16 +47,12 @@ Extent commonExtent(const std::vector<ResultView>& views, const std::string& dev
     for (const ResultView& view : views)
         if (view.device == device)
             counts[{view.extent.width, view.extent.height}] += view.samples.size();
-    Extent best;
-    std::size_t best_count = 0;
+    std::array<long long, 4> best = {};
     for (const auto& [size, count] : counts) {
-        const Extent extent{size.first, size.second};
-        const bool larger = count == best_count && pixelCount(extent) > pixelCount(best);
-        if (count < best_count || (count == best_count && !larger)) continue;
-        best = extent;
-        best_count = count;
+        const long long width = size.first, height = size.second;
+        best = std::max(best, {static_cast<long long>(count), width * height, width, height});
     }
-    return best;
+    return {static_cast<int>(best[2]), static_cast<int>(best[3])};
 }
 
 Diagnostic scopeError(std::string message, std::string help)
@@ -81,12 +76,10 @@ Result<std::string> chooseDevice(const std::vector<BenchSample>& samples, const 
 
 std::string missingScope(const std::vector<ResultView>& views)
 {
-    std::vector<std::string> names;
-    for (const ResultView& view : views) {
-        const std::string name = view.scene + " at " + extentName(view.extent);
-        if (!contains(names, name)) names.push_back(name);
-    }
-    return "the results hold: " + joined(names);
+    std::set<std::string> names;
+    for (const ResultView& view : views)
+        names.insert(view.scene + " at " + extentName(view.extent));
+    return "the results hold: " + joined({names.begin(), names.end()});
 }
 
 /// A candidate while its views are gathered.
@@ -101,15 +94,15 @@ void addSample(const std::string& view, const BenchSample& sample, bool motion, 
     const double flicker = motion ? flickerOf(sample.motion) : 0.0;
     const double error = flicker > 0 ? std::hypot(sample.error.rmse, flicker) : sample.error.rmse;
     Candidate& candidate = gathered.candidate;
-    if (gathered.views.empty() || sample.cost.median > candidate.ms) {
-        candidate.ms = sample.cost.median;
-        candidate.slowest_view = view;
-    }
-    if (gathered.views.empty() || error > candidate.error) {
-        candidate.error = error;
-        candidate.worst_view = view;
-    }
-    candidate.ratio = std::max(candidate.ratio, sample.ratio_learnopengl);
+    const auto isWorst = [&](double value, double& worst, std::string& where) {
+        if (!gathered.views.empty() && value <= worst) return false;
+        worst = value;
+        where = view;
+        return true;
+    };
+    isWorst(sample.cost.median, candidate.ms, candidate.slowest_view);
+    isWorst(sample.ratio_learnopengl, candidate.ratio, candidate.ratio_view);
+    if (isWorst(error, candidate.error, candidate.worst_view)) candidate.flicker = flicker;
     gathered.harmful = gathered.harmful || sample.error.rmse >= sample.error_without_ao;
     gathered.views.push_back(view);
 }
@@ -312,10 +305,11 @@ Result<ChoiceLimit> parseBudget(const std::string& text)
     const double number = takeNumber(unit).value_or(0.0);
     if (number > 0.0 && std::isfinite(number)) {
         if (unit == "ms") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number};
+        if (unit == "s") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number * 1000.0};
         if (unit == "us") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number / 1000.0};
         if (unit == "x") return ChoiceLimit{ChoiceLimit::Kind::ratio, number};
     }
-    return scopeError("'" + text + "' is not a time above 0 with its unit",
+    return scopeError("'" + text + "' is not a time above 0 in s, ms, us or x",
                       "write --budget 2ms, 500us, or 0.5x for half the time of learnopengl");
 }
 
@@ -347,15 +341,21 @@ Result<Choice> choose(const Candidates& candidates, const ChoiceLimits& limits)
             most = std::max(most, spentOf(list[i], limit.kind) / limit.most);
         return most;
     };
-    // What is to be small once the limits are kept.
-    const auto merit = [&](std::size_t i) { return least_time ? list[i].ms : list[i].error; };
+    // What is to be small once the limits are kept; errors up to `as_good` are the same.
+    double as_good = 0;
+    const auto merit = [&](std::size_t i) {
+        return least_time ? list[i].ms : std::max(as_good, list[i].error);
+    };
     std::vector<std::size_t> within, beyond;
     for (std::size_t i = 0; i < list.size(); ++i) (spends(i) <= 1.0 ? within : beyond).push_back(i);
     std::sort(beyond.begin(), beyond.end(), [&](std::size_t a, std::size_t b) {
         return std::make_pair(spends(a), merit(a)) < std::make_pair(spends(b), merit(b));
     });
+    for (const std::size_t i : within)
+        if (as_good == 0 || list[i].error < as_good * (1.0 - kWorth))
+            as_good = list[i].error / (1.0 - kWorth);
     std::sort(within.begin(), within.end(), [&](std::size_t a, std::size_t b) {
-        return std::make_pair(merit(a), spends(a)) < std::make_pair(merit(b), spends(b));
+        return std::make_pair(merit(a), list[a].ms) < std::make_pair(merit(b), list[b].ms);
     });
     if (!within.empty()) return Choice{std::move(within), std::move(beyond)};
     Diagnostic error{Code::out_of_range,
@@ -364,13 +364,12 @@ Result<Choice> choose(const Candidates& candidates, const ChoiceLimits& limits)
                          limitText(limits)};
     const char* nearest = least_time ? "the nearest is " : "the fastest is ";
     if (!beyond.empty()) error.help = nearest + shortText(list[beyond[0]]);
-    std::vector<std::string> scenes;
-    for (const ResultView& view : candidates.views)
-        if (!contains(scenes, view.scene)) scenes.push_back(view.scene);
+    std::set<std::string> scenes;
+    for (const ResultView& view : candidates.views) scenes.insert(view.scene);
     if (scenes.size() > 1)
         error.help += (beyond.empty() ? "" : "; ") +
-                      ("each counts with its worst scene; name one, as in --scene " + scenes[0] +
-                       ": " + joined(scenes));
+                      ("each counts with its worst scene; name one, as in --scene " +
+                       *scenes.begin() + ": " + joined({scenes.begin(), scenes.end()}));
     return error;
 }
 

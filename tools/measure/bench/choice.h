@@ -65,8 +65,10 @@ struct Candidate {
     double ms = 0;           ///< BenchSample::cost: what it adds to a host that has a G-buffer.
     double ratio = 0;        ///< Of that over the cost of learnopengl.
     double error = 0;        ///< rmse, with flicker where the scope asks for it.
+    double flicker = 0;      ///< What of the error is flicker.
     std::string slowest_view = {};
     std::string worst_view = {};
+    std::string ratio_view = {};  ///< Where the ratio is largest.
 };
 
 struct Candidates {
@@ -106,12 +108,17 @@ using ChoiceLimits = std::vector<ChoiceLimit>;
 /// Whether the fastest within the limits is wanted, as with one of error; else the most accurate.
 bool wantsLeastTime(const ChoiceLimits& limits);
 
-/// Reads "2ms", "500us", or "0.5x" for a multiple of the cost of learnopengl. Errors: CV8001.
+/// Reads "2ms", "500us", "1s", or "0.5x" for a multiple of the cost of learnopengl. Errors: CV8001.
 Result<ChoiceLimit> parseBudget(const std::string& text);
+
+/// What differs by less is as good.
+constexpr double kWorth = 0.05;
 
 /// Into Candidates::list.
 struct Choice {
-    std::vector<std::size_t> within;  ///< The limit: the best first.
+    /// The limits, the best first: the fastest, or without a limit of error the fastest of those
+    /// whose error is the least but for kWorth.
+    std::vector<std::size_t> within;
     std::vector<std::size_t> beyond;  ///< The nearest first.
 };
 

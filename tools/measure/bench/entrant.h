@@ -84,6 +84,7 @@ public:
 
     /// Errors: those of SparseTruth.
     Status openFull();
+    Extent smallExtent() const { return small_.view.extent; }
 
     /// Gives it a description with everyone's radius, and its plan. Errors: those of
     /// loadDescription, resolveLengths and `compile`; CV2102 for a config without the param

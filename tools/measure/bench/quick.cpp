@@ -5,6 +5,8 @@
 #include "tools/measure/bench/neighbours.h"
 #include "tools/measure/taps.h"
 
+#include <set>
+
 namespace crevice {
 namespace {
 
@@ -41,13 +43,11 @@ Range intervalOf(const std::vector<double>& values)
 QuickOptions withConfigs(QuickOptions options, const SourceSet& sources)
 {
     if (!options.configs.empty()) return options;
-    std::map<std::string, int> taps;
+    std::set<std::pair<int, std::string>> sorted;
     for (const std::string& name : configNames(sources))
         if (const auto loaded = loadDescription({name, {}, {}, {}}, sources))
-            taps[name] = isPresetConfig(name) ? -1 : samplesOf(*loaded);
-    for (const auto& [name, count] : taps) options.configs.push_back(name);
-    std::stable_sort(options.configs.begin(), options.configs.end(),
-                     [&](const std::string& a, const std::string& b) { return taps[a] < taps[b]; });
+            sorted.emplace(isPresetConfig(name) ? -1 : samplesOf(*loaded), name);
+    for (const auto& [taps, name] : sorted) options.configs.push_back(name);
     return options;
 }
 
@@ -69,31 +69,24 @@ double errorOf(const Look& look) { return look.with_flicker; }
 double costOf(const Look& look) { return medianOfTurns(look.milliseconds()); }
 double ratioOf(const Look& look) { return medianOfTurns(look.ratios); }
 
-std::map<std::string, std::string> settingsOf(const Entrant& entrant)
+/// As --set has them.
+std::set<std::string> settingsOf(const Entrant& entrant)
 {
-    std::map<std::string, std::string> values;
+    std::set<std::string> all(entrant.overrides.begin(), entrant.overrides.end());
     for (const ParamDesc& param : entrant.description.params)
-        values[param.name] = significant(param.value[0], 6);
+        all.insert(param.name + "=" + significant(param.value[0], 6));
     for (const FeatureDesc& feature : entrant.description.features)
-        values[feature.name] = feature.values[feature.value];
-    for (const std::string& text : entrant.overrides)
-        values[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1);
-    return values;
+        all.insert(feature.name + "=" + feature.values[feature.value]);
+    return all;
 }
 
 /// "steps=9" where that is all that `other` has otherwise; else nothing.
 std::string settingApart(const Entrant& entrant, const Entrant& other)
 {
-    if (other.config != entrant.config) return {};
-    const auto own = settingsOf(entrant);
-    std::string apart;
-    for (const auto& [name, value] : settingsOf(other)) {
-        const auto same = own.find(name);
-        if (same != own.end() && same->second == value) continue;
-        if (!apart.empty()) return {};
-        apart = name + "=" + value;
-    }
-    return apart;
+    const std::set<std::string> own = settingsOf(entrant), its = settingsOf(other);
+    std::vector<std::string> apart;
+    std::set_difference(its.begin(), its.end(), own.begin(), own.end(), std::back_inserter(apart));
+    return other.config == entrant.config && apart.size() == 1 ? apart[0] : "";
 }
 
 Standing asMeasured(const Look& look)
@@ -133,23 +126,23 @@ std::vector<Standing> QuickBench::standings() const
     return all;
 }
 
-/// Says the leader where it is another than before; of small pictures where nothing else is known.
-void QuickBench::sayLeader(const std::string& how)
+/// Says the leader where it is another than before, or which one leads in small pictures.
+void QuickBench::sayLeader(bool first_look)
 {
     std::vector<Standing> all = standings();
-    if (!how.empty())
-        for (Standing& standing : all) standing.measured = true;
+    for (Standing& standing : all) standing.measured |= first_look;
     const auto first = leaderOf(all, options_.limits);
-    const std::string at = fixed(seconds(), 0) + " s: ";
-    if (!first && !how.empty() && !all.empty())
-        options_.say(at + "nothing seems to be within the limits; the nearest is " +
-                     entrants_[nearestOf(all, options_.limits)].label() + how);
-    if (!first || (entrants_[*first].label() == leader_ && how.empty())) return;
-    leader_ = entrants_[*first].label();
+    const std::string small = "a first look, in a picture of " + extentName(meter_.smallExtent());
+    const std::string at = fixed(seconds(), 0) + " s: " + (first_look ? small + ": " : "");
+    if (!first && first_look && !all.empty())
+        options_.say(at + "the nearest to the limits is " +
+                     entrants_[nearestOf(all, options_.limits)].label());
+    if (!first || (entrants_[*first].label() == leader_ && !first_look)) return;
+    leader_ = first_look ? "" : entrants_[*first].label();
     const Standing& it = all[*first];
-    options_.say(at + leader_ + ", error " + fixed(it.error.value, 3) + " (" +
+    options_.say(at + entrants_[*first].label() + ", error " + fixed(it.error.value, 3) + " (" +
                  fixed(it.error.low, 3) + " to " + fixed(it.error.high, 3) + "), " +
-                 significant(it.ms.value, 3) + " ms" + how);
+                 significant(it.ms.value, 3) + " ms" + (first_look ? " there" : ""));
 }
 
 /// Draws a config in the small picture, and keeps it where its occlusion is one of its own. A
@@ -232,7 +225,7 @@ void QuickBench::race()
             lookFull(*next);
         else if (!enterNext() && !enterNeighbours())
             break;
-        sayLeader("");
+        sayLeader();
     }
     const auto is_known = [](const Entrant& each) { return static_cast<bool>(each.full); };
     if (anyOf(entrants_, is_known) || entrants_.empty()) return;
@@ -263,16 +256,15 @@ Status QuickBench::run()
     Entrant first{options_.configs.front(), options_.overrides};
     if (const Status begun = meter_.begin(first); !begun) return begun;
     const auto presets =
-        std::count_if(options_.configs.begin(), options_.configs.end(),
-                      [](const std::string& each) { return isPresetConfig(each); });
+        std::count_if(options_.configs.begin(), options_.configs.end(), isPresetConfig);
     const std::size_t looked_at = std::max<std::size_t>(kLeastFirst, presets);
     while (next_config_ < looked_at && enterNext()) {
     }
-    sayLeader(": a first look, by small pictures");
+    sayLeader(true);
     if (const Status opened = meter_.openFull(); !opened) return opened;
     race();
     refine();
-    sayLeader("");
+    sayLeader();
     if (const auto best = leaderOf(standings(), options_.limits); best && !options_.interrupted())
         if (const auto shares = meter_.sharesOf(entrants_[*best])) shares_ = *shares;
     return warnings_;

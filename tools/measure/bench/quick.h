@@ -68,7 +68,7 @@ private:
     Standing standingOf(const Entrant& entrant) const;
     std::vector<Standing> standings() const;
     std::optional<std::size_t> withoutNeighbours() const;
-    void sayLeader(const std::string& how);
+    void sayLeader(bool first_look = false);
     void enter(Entrant entrant);
     bool enterNext();
     bool enterNeighbours();

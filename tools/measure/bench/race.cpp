@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/measure/bench/race.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,15 +11,6 @@ namespace {
 
 constexpr double kUnseen = 1.5;   // beyond the factors that were seen
 constexpr double kUnknown = 3.0;  // where none was
-
-/// Whether the value, or with `at_best` the low end, is within all limits.
-bool isWithin(const Standing& standing, const ChoiceLimits& limits, bool at_best)
-{
-    return std::all_of(limits.begin(), limits.end(), [&](const ChoiceLimit& limit) {
-        const Range& spent = spentOf(standing, limit.kind);
-        return (at_best ? spent.low : spent.value) <= limit.most;
-    });
-}
 
 /// What is to be small within the limits.
 const Range& meritOf(const Standing& standing, const ChoiceLimits& limits)
@@ -101,9 +94,14 @@ Range factorOf(const std::vector<double>& factors)
 std::optional<std::size_t> leaderOf(const std::vector<Standing>& standings,
                                     const ChoiceLimits& limits)
 {
-    return leastOf(
-        standings, [&](const Standing& s) { return s.measured && isWithin(s, limits, false); },
-        [&](const Standing& s) { return meritOf(s, limits).value; });
+    Candidates all;
+    for (std::size_t i = 0; i < standings.size(); ++i) {
+        const Standing& it = standings[i];
+        if (it.measured) all.list.push_back({"", i, it.ms.value, it.ratio.value, it.error.value});
+    }
+    const Result<Choice> choice = choose(all, limits);
+    if (!choice) return std::nullopt;
+    return all.list[choice->within[0]].sample;
 }
 
 std::size_t nearestOf(const std::vector<Standing>& standings, const ChoiceLimits& limits)
@@ -124,7 +122,10 @@ std::optional<std::size_t> nextOf(const std::vector<Standing>& standings,
     const auto merit = [&](const Standing& s) { return meritOf(s, limits).value; };
     const std::optional<std::size_t> leader = leaderOf(standings, limits);
     const auto may_lead = [&](const Standing& s) {
-        if (s.measured || !isWithin(s, limits, true)) return false;
+        const auto breaks = [&s](const ChoiceLimit& limit) {
+            return spentOf(s, limit.kind).low > limit.most;
+        };
+        if (s.measured || anyOf(limits, breaks)) return false;
         return !leader || meritOf(s, limits).low < merit(standings[*leader]);
     };
     if (const auto next = leastOf(standings, may_lead, merit); next || !whole_front) return next;

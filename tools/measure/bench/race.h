@@ -42,9 +42,6 @@ struct Standing {
     const SparseError* pixels = nullptr;  ///< Of the error, where it is known.
 };
 
-/// What differs by less is as good.
-constexpr double kWorth = 0.05;
-
 /// The probability, if the ranges are right, that one is within the limits and that no other that
 /// was measured is better by over kWorth.
 double sureness(const std::vector<Standing>& standings, std::size_t one,
@@ -53,7 +50,8 @@ double sureness(const std::vector<Standing>& standings, std::size_t one,
 /// The figure that a limit of the kind is about.
 const Range& spentOf(const Standing& standing, ChoiceLimit::Kind kind);
 
-/// The best of those that were measured. Nothing where none is within the limits.
+/// The best of those that were measured, as choose() has it. Nothing where none is within the
+/// limits.
 std::optional<std::size_t> leaderOf(const std::vector<Standing>& standings,
                                     const ChoiceLimits& limits);
 

@@ -73,6 +73,7 @@ TEST_CASE("what could win even at the best of its ranges is measured, the most p
     }
     const std::vector<Standing> two = {measured(2, .05), measured(3, .04)};
     CHECK(leaderOf(two, {{Kind::time_ms, 4}}) == std::size_t(1));
+    CHECK(leaderOf({measured(2, .042), two[1]}, {{Kind::time_ms, 4}}) == std::size_t(0));
     CHECK(leaderOf(two, {{Kind::time_ms, 4}, {Kind::error, .06}}) == std::size_t(0));
     CHECK(!leaderOf(two, {{Kind::time_ms, 4}, {Kind::error, .01}}));
     CHECK(nearestOf(two, {{Kind::time_ms, 1}, {Kind::error, .01}}) == 1);
