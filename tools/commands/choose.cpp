@@ -7,7 +7,9 @@
 #include "tools/measure/bench/quick.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/image/image_file.h"
+#include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"
+#include "tools/show/plan/print.h"
 
 #include "core/base/text.h"
 
@@ -15,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <set>
 
 namespace crevice {
 namespace {
@@ -62,7 +65,8 @@ Result<ChoiceLimits> limitsOf(const ChooseOptions& options)
         limits.push_back(*budget);
     }
     if (options.error > 0) limits.push_back({ChoiceLimit::Kind::error, options.error});
-    if (!limits.empty()) return limits;
+    const bool answers = options.write_front.empty() || !options.write.empty() || options.json;
+    if (!limits.empty() || !answers) return limits;
     return Diagnostic{Code::usage, "crevice choose wants --budget, --error or both",
                       "write --budget 2ms for the most accurate config within a time, or "
                       "--error 0.06 for the fastest within an error"};
@@ -83,14 +87,9 @@ Status measureScene(const ChooseOptions& options, const SourceSet& sources, Answ
     Result<OpenDevice> open = openDevice(options.backend);
     if (!open) return open.diagnostics();
     answer.open = std::move(*open);
-    QuickOptions quick;
-    quick.scene = options.scene.scene;
-    quick.configs = options.configs;
-    quick.overrides = options.config.overrides;
-    quick.roots = options.config.roots;
-    quick.limits = answer.limits;
-    quick.whole_front = !options.write_front.empty();
-    quick.motion = options.motion;
+    QuickOptions quick{options.scene.scene,  options.configs, options.config.overrides,
+                       options.config.roots, answer.limits,   !options.write_front.empty(),
+                       options.motion};
     if (*time > 0) quick.time_s = *time;
     quick.version = CREVICE_VERSION;
     quick.interrupted = interrupted;
@@ -121,6 +120,10 @@ Status readResults(const ChooseOptions& options, ChoiceScope& scope, Answer& ans
     scope.scene = options.scene.scene;
     Result<std::vector<BenchSample>> samples = readBenchSamples(options.results);
     if (!samples) return samples.diagnostics();
+    for (const BenchSample& each : *samples)
+        if (options.motion && each.failure.empty() && each.motion.paths.empty())
+            return Diagnostic{Code::usage, sampleTitle(each) + " has no flicker for --motion",
+                              "measure it by crevice bench --motion"};
     append(answer.warnings, samples.diagnostics());
     answer.samples = std::move(*samples);
     return {};
@@ -146,12 +149,13 @@ Result<Answer> answerFor(const ChooseOptions& options, const SourceSet& sources)
     return answer;
 }
 
-/// What to type to see it.
+/// What to type to see it, settled where it remembers.
 std::string renderCommand(const BenchSample& sample)
 {
     std::string command = "crevice render " + sample.config;
     for (const std::string& value : sample.overrides) command += " --set " + value;
-    return command + " --scene " + sample.scene + " --size " + extentName(sample.extent);
+    return command + " --scene " + sample.scene + " --size " + extentName(sample.extent) +
+           " --out ao=ao.png --frames " + std::to_string(kGatheringFrames);
 }
 
 /// From the one of that place on.
@@ -178,10 +182,11 @@ std::string changeText(double factor)
 }
 
 /// What only a measurement of this command knows: how sure it is, and where the error lies.
-void printDetails(const BenchSample& best, const QuickDetails& details)
+void printDetails(const BenchSample& best, const QuickDetails& details, bool by_time)
 {
-    print("  %s MB of textures; %s %% sure that no other within is better by over 5 %%\n",
-          fixed(best.texture_bytes / 1e6, 1).c_str(), fixed(100.0 * details.sure, 0).c_str());
+    print("  %s MB of textures; %s %% sure that no other measured one within is %s by over 5 %%\n",
+          fixed(best.texture_bytes / 1e6, 1).c_str(), fixed(100.0 * details.sure, 0).c_str(),
+          by_time ? "faster" : "less wrong");
     print("  too %s by %s in the mean; %s %% of the squared error is where it is too dark\n",
           best.error.bias < 0 ? "dark" : "bright", fixed(std::abs(best.error.bias), 4).c_str(),
           fixed(100.0 * details.dark, 0).c_str());
@@ -189,8 +194,8 @@ void printDetails(const BenchSample& best, const QuickDetails& details)
     const double whole = frame.occlusion + frame.own_geometry + frame.geometry + frame.lighting;
     if (whole > 0)
         print(
-            "  a whole frame takes %s ms: geometry %s, occlusion %s and its own geometry %s, "
-            "lighting %s\n",
+            "  a whole frame, timed apart, takes %s ms: geometry %s, occlusion %s and its own "
+            "geometry %s, lighting %s\n",
             significant(whole, 3).c_str(), significant(frame.geometry, 3).c_str(),
             significant(frame.occlusion, 3).c_str(), significant(frame.own_geometry, 3).c_str(),
             significant(frame.lighting, 3).c_str());
@@ -206,6 +211,8 @@ void printAnswer(const Answer& answer)
     const bool by_time = wantsLeastTime(answer.limits);
     const Candidate& best = answer.best();
     const Candidates& all = answer.candidates;
+    std::set<std::string> radii;
+    for (const ResultView& view : all.views) radii.insert(significant(view.radius, 6));
     QuickDetails details;
     if (answer.quick) details = answer.quick->detailsOf(answer.bestSample());
     const auto around = [](double value, double margin, int digits) {
@@ -213,21 +220,21 @@ void printAnswer(const Answer& answer)
         return margin > 0 ? text + " +- " + fixed(margin, digits) : text;
     };
     print("%s\n", best.label.c_str());
-    print("  error %s (%s); adds %s ms a frame (%s), %s times learnopengl\n",
+    print("  error %s (%s); adds %s ms a frame without geometry (%s), %s times learnopengl (%s)\n",
           around(best.error, details.error_margin, 4).c_str(), best.worst_view.c_str(),
           around(best.ms, details.ms_margin, 3).c_str(), best.slowest_view.c_str(),
-          fixed(best.ratio, 2).c_str());
+          fixed(best.ratio, 2).c_str(), best.ratio_view.c_str());
+    if (best.flicker > 0)
+        print("  the error includes a flicker of %s\n", fixed(best.flicker, 4).c_str());
     print("  without ambient occlusion the error is %s\n", fixed(all.error_without_ao, 4).c_str());
-    print("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "", all.views.size(),
-          all.views.size() > 1 ? "scenes" : "scene", extentName(all.views[0].extent).c_str(),
-          all.device.c_str());
-    if (answer.quick) printDetails(answer.bestSample(), details);
-    print("why: of %zu configs, %zu have %s; this one %s of those\n", all.list.size(),
+    print("  %s%s at %s and radius %s on %s\n", all.views.size() > 1 ? "the worst of " : "",
+          counted(all.views.size(), "scene").c_str(), extentName(all.views[0].extent).c_str(),
+          joined({radii.begin(), radii.end()}).c_str(), all.device.c_str());
+    if (answer.quick) printDetails(answer.bestSample(), details, by_time);
+    print("why: of %zu configs, %zu have %s; this one is the fastest of those%s\n", all.list.size(),
           answer.choice.within.size(), limitText(answer.limits).c_str(),
-          by_time ? "is the fastest" : "has the lowest error");
-    printOthers(answer,
-                by_time ? "also within, but slower:" : "also within, but with a larger error:",
-                answer.choice.within, 1);
+          by_time ? "" : " whose error is within 5 % of the lowest");
+    printOthers(answer, "also within:", answer.choice.within, 1);
     printOthers(answer, "over a limit:", answer.choice.beyond, 0);
     for (const std::string& elided : all.elided) print("left out: %s\n", elided.c_str());
     for (const std::string& label : all.harmful)
@@ -243,7 +250,8 @@ nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchSample>
             {"samples", sample.samples},
             {"cost_ms", candidate.ms},
             {"ratio_learnopengl", candidate.ratio},
-            {"rmse", candidate.error}};
+            {"rmse", candidate.error},
+            {"flicker", candidate.flicker}};
 }
 
 void printAnswerJson(const Answer& answer)
@@ -286,19 +294,36 @@ std::string asHeader(const std::string& json)
 {
     std::string text =
         "/* A front, by crevice choose --write-front. */\nstatic const char front[] =";
-    for (const std::string_view line : split(json, '\n')) {
-        text += "\n    \"";
-        for (const char c : line)
-            text += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-        text += "\"";
-    }
+    for (const std::string_view line : split(json, '\n')) text += "\n    " + jsonString(line);
     return text + ";\n";
 }
 
-/// What a governor steps along: all that no other beats, by rising cost. Errors: CV7007.
-Status writeFront(const Answer& answer, const std::string& file)
+/// What a governor steps along: all that no other beats, by rising cost, of those to which a host
+/// hands the same, as Renderer::setLevels wants it. Errors: CV7007, those of loadDescription.
+Status writeFront(const Answer& answer, ConfigOptions config, const SourceSet& sources,
+                  const std::string& file)
 {
-    const std::vector<Candidate>& list = answer.candidates.list;
+    std::map<std::string, std::vector<Candidate>> groups;  // by what is handed to them
+    for (const Candidate& each : answer.candidates.list) {
+        config.config = answer.samples[each.sample].config;
+        config.overrides = answer.samples[each.sample].overrides;
+        const auto level = loadDescription(config, sources);
+        if (!level) return level.diagnostics();
+        std::set<std::string> needs;
+        for (const ImportDesc& import : level->imports)
+            if (!import.optional &&
+                (import.type == ImportType::texture || import.type == ImportType::draw_list))
+                needs.insert(import.name);
+        groups[joined({needs.begin(), needs.end()})].push_back(each);
+    }
+    const auto largest = std::max_element(
+        groups.begin(), groups.end(),
+        [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+    std::vector<std::string> left_out;
+    for (const auto& [needs, group] : groups)
+        for (const std::size_t i : frontOf(group))
+            if (needs != largest->first) left_out.push_back(group[i].label + " takes " + needs);
+    const std::vector<Candidate>& list = largest->second;
     const BenchSample& any = answer.samples.front();
     nlohmann::ordered_json front = {{"format", "crevice-front-1"},
                                     {"scene", any.scene},
@@ -313,7 +338,12 @@ Status writeFront(const Answer& answer, const std::string& file)
                                    {"error", list[i].error}});
     }
     const std::string text = front.dump(2);
-    return writeFile(file, endsWith(file, ".h") ? asHeader(text) : text + "\n");
+    const Status written = writeFile(file, endsWith(file, ".h") ? asHeader(text) : text + "\n");
+    if (!written || left_out.empty()) return written;
+    return asWarning({Code::reference_missing,
+                      "left out of the front, whose levels take " + largest->first + ": " +
+                          joined(left_out, "; "),
+                      "name those to choose from by --config"});
 }
 
 /// All that can be wrong with the arguments, before anything slow begins.
@@ -326,8 +356,11 @@ Status checkOptions(const ChooseOptions& options, bool has_scene)
     Diagnostics diagnostics;
     if (!options.write.empty())
         append(diagnostics, checkPatchFile(options.config, options.write).diagnostics());
-    if (!options.write_front.empty())
-        append(diagnostics, checkWritable(options.write_front).diagnostics());
+    const std::string& front = options.write_front;
+    if (!front.empty() && !endsWith(front, ".json") && !endsWith(front, ".h"))
+        diagnostics.push_back({Code::usage, "--write-front '" + front + "' is no .json and no .h",
+                               "write --write-front front.json, or front.h for a C array"});
+    if (!front.empty()) append(diagnostics, checkWritable(front).diagnostics());
     return diagnostics;
 }
 
@@ -339,16 +372,15 @@ int chooseConfig(const ChooseOptions& options, bool has_scene)
     const Result<Answer> answer = answerFor(options, sources);
     if (!answer) return report(answer.diagnostics(), options.json);
     report(answer->warnings, false);
-    (options.json ? printAnswerJson : printAnswer)(*answer);
+    if (!answer->limits.empty()) (options.json ? printAnswerJson : printAnswer)(*answer);
+    ConfigOptions chosen = options.config;
+    chosen.config = answer->bestSample().config;
+    chosen.overrides = answer->bestSample().overrides;
     Diagnostics written;
-    if (!options.write.empty()) {
-        ConfigOptions chosen = options.config;
-        chosen.config = answer->bestSample().config;
-        chosen.overrides = answer->bestSample().overrides;
+    if (!options.write.empty())
         append(written, savePatch(chosen, sources, options.write).diagnostics());
-    }
     if (!options.write_front.empty())
-        append(written, writeFront(*answer, options.write_front).diagnostics());
+        append(written, writeFront(*answer, chosen, sources, options.write_front).diagnostics());
     return report(written, false);
 }
 
@@ -361,6 +393,17 @@ void addChooseCommand(CLI::App& app, int& exit_code)
     command->add_option("RESULTS", options->results,
                         "Folders of 'crevice bench', or the results files in them. Without any "
                         "the scene is measured now");
+    addSceneOptions(*command, options->scene);
+    addList(*command, "--config", options->configs, "NAME",
+            "A shipped config's name or a file; may be repeated. Default: all shipped ones");
+    addList(*command, "--set", options->config.overrides, "NAME=VALUE",
+            "Set a value in every config, as for crevice render; may be repeated");
+    addBackendOption(*command, options->backend);
+    command->add_option("--time-budget", options->run.time_budget,
+                        "Measure for at most this time: 90s, 5m. Default: 50s");
+    for (CLI::Option* each : command->get_options())
+        if (!contains({"--help", "RESULTS", "--scene", "--size", "--root"}, each->get_name()))
+            each->excludes("RESULTS");
     command->add_option("--budget", options->budget,
                         "Name the config with the lowest error that adds at most this time to a "
                         "frame: 2ms, 500us, or 0.5x for half the time of learnopengl");
@@ -371,21 +414,15 @@ void addChooseCommand(CLI::App& app, int& exit_code)
         ->check(aboveZero("0.06"));
     command->add_flag("--motion", options->motion,
                       "Count flicker as error: the root of rmse^2 + flicker^2");
-    addSceneOptions(*command, options->scene);
-    addList(*command, "--config", options->configs, "NAME",
-            "A shipped config's name or a file; may be repeated. Default: all shipped ones");
-    addList(*command, "--set", options->config.overrides, "NAME=VALUE",
-            "Set a value in every config, as for crevice render; may be repeated");
     addCheckoutOption(*command, options->config.checkout);
-    addBackendOption(*command, options->backend);
-    command->add_option("--time-budget", options->run.time_budget,
-                        "Measure for at most this time: 90s, 5m. Default: 50s");
     addText(*command, "--write", options->write, "FILE.json", "Write the config that is named");
     addText(*command, "--write-front", options->write_front, "FILE",
             "Write all configs that no other beats, for a governor, as JSON or, where it ends in "
-            ".h, as a C array; measures all of them");
-    command->add_option("--device", options->scope.device,
-                        "Only results of this device: a part of its name, such as llvmpipe");
+            ".h, as a C array; needs no limit");
+    command
+        ->add_option("--device", options->scope.device,
+                     "Only results of this device: a part of its name, such as llvmpipe")
+        ->needs("RESULTS");
     command->add_flag("--json", options->json, "Print the answer as JSON");
     command->footer(
         "Examples:\n"

@@ -180,8 +180,7 @@ int watch(const RenderOptions& options, const SourceSet& sources, Session& sessi
     catchInterrupts();
     WatchedFiles files;
     (void)loadWatched(options, sources, files);
-    printMessage("watching %d %s; interrupt to end\n", static_cast<int>(files.size()),
-                 files.size() == 1 ? "file" : "files");
+    printMessage("watching %s; interrupt to end\n", counted(files.size(), "file").c_str());
     for (; !interrupted(); std::this_thread::sleep_for(kPause)) {
         if (!files.changed()) continue;
         Result<Description> description = loadWatched(options, sources, files);

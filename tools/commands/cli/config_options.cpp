@@ -230,11 +230,10 @@ Status checkPatchFile(const ConfigOptions& options, const std::string& file)
 {
     std::error_code error;
     if (!endsWith(file, kSuffix))
-        return Diagnostic{Code::usage, "--save-patch '" + file + "' does not end in .json",
-                          "write --save-patch " + file + ".json"};
+        return Diagnostic{Code::usage, "the config '" + file + "' does not end in .json",
+                          "name it " + file + ".json"};
     if (fs::equivalent(options.config, file, error))
-        return Diagnostic{Code::usage,
-                          "--save-patch '" + file + "' is the config that it would extend"};
+        return Diagnostic{Code::usage, "'" + file + "' is the config that it would extend"};
     return checkWritable(file);
 }
 

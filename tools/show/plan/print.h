@@ -36,6 +36,9 @@ std::string sizeText(const Extent& extent);
 /// "288.0 KiB".
 std::string bytesText(double bytes);
 
+/// "1 pass", "2 passes".
+std::string counted(std::size_t count, const std::string& what);
+
 /// ", 4 samples"; nothing for one.
 std::string samplesText(int samples);
 

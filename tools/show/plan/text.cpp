@@ -65,6 +65,11 @@ std::string bytesText(double bytes)
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + units[unit];
 }
 
+std::string counted(std::size_t count, const std::string& what)
+{
+    return std::to_string(count) + " " + what + (count == 1 ? "" : what == "pass" ? "es" : "s");
+}
+
 const PlanTexture& textureOf(const Plan& plan, int target)
 {
     return plan.textures[plan.targets[target].texture];
@@ -78,11 +83,6 @@ std::string boundsText(const Plan& plan, const PlanPass& pass)
     if (pass.cull_below_pixel < 0) return "the bounds of all draws";
     return "the bounds of draws at which " + plan.params[pass.cull_below_pixel].name +
            " is a pixel or more";
-}
-
-std::string counted(std::size_t count, const std::string& what)
-{
-    return std::to_string(count) + " " + what + (count == 1 ? "" : what == "pass" ? "es" : "s");
 }
 
 std::string readText(const Plan& plan, const PlanInput& input)

@@ -25,22 +25,27 @@ expect 4 'CV7007' report results.jsonl --out nowhere/a.html
 
 # --- choose ---
 expect 0 '^fine samples=4$' choose results.jsonl --budget 3ms
-expect 0 'why: of 5 configs, 3 have at most 3 ms; this one has the lowest error' choose results.jsonl --budget 3ms
-expect 0 '^quick samples=16$' choose results.jsonl --error 0.09
-expect 0 'crevice render fine --set samples=16 --scene room' choose results.jsonl --error 0.045
+expect 0 'why: of 5 configs, 3 have at most 3 ms; this one is the fastest of those whose error is within 5 %' choose results.jsonl --budget 3ms
+expect 0 'render fine --set samples=16 --scene room --size 960x540 --out ao=ao.png --frames 32' choose results.jsonl --error 0.045
 expect 0 '"config": "fine"' choose results.jsonl --budget 3000us --json
 expect_json
 expect 1 'fastest is quick samples=4' choose results.jsonl --budget 0.1ms
 expect 2 'CV8001.*--budget, --error or both' choose results.jsonl
 expect 0 '^quick samples=16$' choose results.jsonl --budget 3ms --error 0.09
-expect 1 'has at most 2 ms and an error of at most 0.01' choose results.jsonl --budget 2ms --error 0.01
 expect 2 'crevice choose --scene model.glb' choose --budget 2ms
-expect 2 '500us' choose results.jsonl --budget 2
 sed 's/"room"/"hall"/' results.jsonl | cat results.jsonl - >halls.jsonl
 expect 1 'name one, as in --scene (hall|room): ' choose halls.jsonl --budget 0.1ms
 printf '\211PNG no results' >a.png
 expect 1 "CV7009.*a.png.*none of its lines" choose a.png --error 1
-expect 2 'CV8001' choose results.jsonl --budget soon
+expect 2 'RESULTS excludes --camera' choose results.jsonl --budget 2ms --camera top
+expect 2 'samples=4, room.* no flicker for --motion' choose results.jsonl --budget 3ms --motion
+grep b4 results.jsonl >moved.jsonl
+expect 0 'includes a flicker of 0.0087' choose moved.jsonl --budget 3ms --motion
+expect 2 "config 'mine.txt' does not end in .json" choose results.jsonl --budget 3ms --write mine.txt
+expect 2 'no .json and no .h' choose results.jsonl --write-front mine.txt
+sed '/slow/d; s/"config":"quick","overrides":\[/&"filter\/box=filter\/temporal",/; s/"\(quick\|fine\)"/"hemisphere_box"/' results.jsonl >fronts.jsonl
+expect 0 'left out of the front, whose levels take scene: .* takes scene, velocity' choose fronts.jsonl --write-front front.json
+check "a front's levels take the same" bash -c 'grep -c samples= front.json | grep -qx 2 && ! grep -q temporal front.json'
 expect 1 'CV4005' choose results.jsonl --budget 2ms --size 3
 
 # --- against an older bench ---
