@@ -6,6 +6,7 @@
 #include "tools/measure/matrix/run.h"
 #include "tools/measure/reference/tracer.h"
 #include "tools/render/image/image_file.h"
+#include "tools/show/plan/print.h"
 #include "tools/show/report/page.h"
 
 #include "core/base/text.h"
@@ -67,11 +68,10 @@ void printResults(const MatrixResults& results, const std::string& folder)
                 print("%s: %s: %s: %s\n", check.state.c_str(),
                       printableLine(results.matrix.cells[cell.cell].name).c_str(),
                       printableLine(check.title).c_str(), printableLine(check.text).c_str());
-    print(
-        "%zu cells; checks: %s%s; see %s/index.html\n", results.cells.size(),
-        countsOf(results).c_str(),
-        results.kept ? (", " + std::to_string(results.kept) + " cells known already").c_str() : "",
-        printableLine(folder).c_str());
+    print("%s; checks: %s%s; see %s/index.html\n", counted(results.cells.size(), "cell").c_str(),
+          countsOf(results).c_str(),
+          results.kept ? (", " + counted(results.kept, "cell") + " known already").c_str() : "",
+          printableLine(folder).c_str());
 }
 
 int exitCodeOf(const MatrixResults& results)
@@ -107,9 +107,8 @@ int runTests(const TestOptions& options, const MatrixPlan& plan)
     else
         printResults(*results, run.out_folder);
     if (results->interrupted)
-        printMessage(
-            "interrupted: %zu cells are missing; run the same command with --resume to go on\n",
-            plan.cells.size() - results->cells.size());
+        printMessage("interrupted: %s missing; run the same command with --resume to go on\n",
+                     counted(plan.cells.size() - results->cells.size(), "cell").c_str());
     return exitCodeOf(*results);
 }
 

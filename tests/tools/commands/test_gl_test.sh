@@ -26,8 +26,8 @@ check "a missing approved file is a failure" test "$got" -eq 5
 check "it names the way out" grep -q "gtao, corner: approved ao: there is no '.*': run with --approve" stdout.txt
 
 # --- approved, held, and changed ---
-expect 0 'new: gtao, corner: approved ao: approved/gtao-corner.ao.png' test matrix.json --approve
-check "each cell has its picture" test "$(ls approved/*.png | wc -l)" -eq 4
+expect 0 'new: gtao, corner: approved ao: approved/matrix/gtao-corner.ao.png' test matrix.json --approve
+check "each cell has its picture" test "$(ls approved/matrix/*.png | wc -l)" -eq 4
 expect 0 '^4 cells; checks: 6 unchanged' test matrix.json --approve
 expect 0 '^4 cells; checks: 15 passed' test matrix.json
 mkdir edited && cp -r -- "$checkout/effects" "$checkout/configs" edited
@@ -59,10 +59,10 @@ fi
 expect 0 'changed: gtao, spheres: approved ao: ' test matrix.json --effects edited --approve --filter gtao --out before_after
 check "the page of before and after has both" test -s before_after/pictures/gtao-spheres.ao.1.wanted.png
 expect 0 'changed: gtao, spheres' test matrix.json --approve
-touch approved/gone.ao.png
+touch approved/matrix/gone.ao.png
 expect 0 "CV2108: no cell has these approved files: gone.ao.png" test matrix.json
-rm approved/gone.ao.png
-sed -i 's/32f/16f/' approved/gtao-corner.plan.txt; echo edited >>approved/gtao-corner.plan.txt
+rm approved/matrix/gone.ao.png
+sed -i 's/32f/16f/' approved/matrix/gtao-corner.plan.txt; echo edited >>approved/matrix/gtao-corner.plan.txt
 expect 5 "gtao, corner: plan: line [0-9]+ is '" test matrix.json
 "$crevice" test matrix.json --approve >/dev/null
 
@@ -119,7 +119,7 @@ echo '{"format": 1, "name": "nan", "description": "Writes NaN.", "extends": ["ge
 echo '{"format": 1, "configs": ["nan.json"], "scenes": ["spheres"], "sizes": ["96x64"], "checks": [{"finite": true},
     {"range": [0, 1]}, {"background": 1}, {"open": {"least": 0.6, "rays": 16}}, {"approved": {"max": 1, "share": 1}}]}' >nan_matrix.json
 "$crevice" test nan_matrix.json --approve >/dev/null 2>&1
-expect 5 '^1 cells; checks: 5 failed' test nan_matrix.json --no-cache
+expect 5 '^1 cell; checks: 5 failed' test nan_matrix.json --no-cache
 
 # --- mistakes in the file end before anything is drawn ---
 sed 's/"where"/"were"/; s/"gtao"/"gtoa"/' compared.json >wrong.json
@@ -127,7 +127,7 @@ expect 1 "wrong.json:[0-9]+:[0-9]+: error CV3001: 'were' is no key of a check" t
 check "nothing was drawn" test ! -e never
 
 # --- a backend that is not there ---
-sed 's/"sizes"/"backends": ["egl", "osmesa"], "sizes"/' matrix.json >both.json
+sed 's/"sizes"/"approved_folder": "approved\/matrix", "backends": ["egl", "osmesa"], "sizes"/' matrix.json >both.json
 __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null expect 0 'checks: 15 passed, 15 skipped' test both.json
 check "a skip says why" grep -q '# SKIP CV6001' crevice_test/results.tap
 __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null expect 5 'failed: gtao, corner, egl: .*CV6001' test both.json --require-backends

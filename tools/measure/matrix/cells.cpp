@@ -124,8 +124,8 @@ Diagnostics checkLayout(const Matrix& matrix)
             errors.push_back(unused("no cell matches this check",
                                     "change its `where`, or leave it out", matrix.checks[i].place));
     if (!unchecked.empty())
-        errors.push_back(unused("no check is for " + std::to_string(unchecked.size()) +
-                                    " cells, of which the first is '" + unchecked[0] + "'",
+        errors.push_back(unused("cells without a check: " + std::to_string(unchecked.size()) +
+                                    ", of which the first is '" + unchecked[0] + "'",
                                 "add one whose `where` they match, such as {\"finite\": true}, or "
                                 "leave them out of `cells`",
                                 configs));

@@ -30,7 +30,7 @@ public:
             if (has(matrix_.cells[i].name, options_.filter)) plan.cells.push_back(i);
         if (plan.cells.empty())
             errors.push_back({Code::usage, "no cell's name contains '" + options_.filter + "'",
-                              suggestName(options_.filter, namesOf(matrix_.cells), "cells")});
+                              "the first cell is '" + matrix_.cells[0].name + "'"});
         plan.cells = shardOf(plan.cells, options_.shard, options_.shards);
         for (const std::size_t cell : plan.cells)
             for (const std::size_t i : matrix_.cells[cell].checks) {

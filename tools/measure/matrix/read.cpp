@@ -2,6 +2,7 @@
 // From a matrix file to a Matrix.
 #include "tools/measure/matrix/keys.h"
 
+#include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/options.h"
@@ -45,7 +46,8 @@ public:
         if (const Node* params = ofKind(document, "params", Kind::object))
             for (const Member& param : params->members) readParam(param);
         const Node* folder = ofKind(document, "approved_folder", Kind::string);
-        matrix.approved_folder = besideFile(folder ? folder->text : "approved");
+        matrix.approved_folder =
+            besideFile(folder ? folder->text : "approved/" + fs::path(matrix.file).stem().string());
         matrix.approved_format = readWord(document, "approved_format", {"png", "pfm"});
         matrix.pairwise = readWord(document, "combine", {"full", "pairwise"}) == "pairwise";
         if (hasErrors(errors)) return;  // the rest names axes and values
@@ -99,7 +101,7 @@ private:
             fail(node->place, Code::bad_length, inQuotes(key) + " is empty", "name at least one");
         if (!node || node->kind == kind) return node;
         wrongType(*node, inQuotes(key), std::string("the kind ") + kindName(kind),
-                  "leave it out, or see docs/reference/matrix.md");
+                  "docs/reference/matrix.md has an example");
         return nullptr;
     }
 
@@ -332,7 +334,7 @@ Result<Matrix> readMatrix(const std::string& file, const SourceSet& sources)
 {
     const SourceRef source = readFile(file);
     if (!source)
-        return Diagnostic{Code::module_missing, "there is no matrix file '" + file + "'",
+        return Diagnostic{Code::module_missing, "the matrix file '" + file + "' " + absenceOf(file),
                           "write crevice test FILE.json; docs/reference/matrix.md has an example"};
     const Result<Node> document = parseDocument(source);
     if (!document) return document.diagnostics();
