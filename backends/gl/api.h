@@ -18,7 +18,7 @@ namespace crevice {
 typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_value);
 typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_value,
                                                       double far_value);
-// Of WebGL, which maps no buffer to be read.
+// Of WebGL, which maps no buffer to be read: there its own functions for that are missing.
 typedef void(GL_APIENTRYP PFNGLGETBUFFERSUBDATAPROC)(GLenum target, GLintptr offset,
                                                      GLsizeiptr size, void* data);
 
@@ -125,7 +125,7 @@ typedef void(GL_APIENTRYP PFNGLGETBUFFERSUBDATAPROC)(GLenum target, GLintptr off
     X(IsTexture, ISTEXTURE, true) \
     X(IsVertexArray, ISVERTEXARRAY, true) \
     X(LinkProgram, LINKPROGRAM, true) \
-    X(MapBufferRange, MAPBUFFERRANGE, true) \
+    X(MapBufferRange, MAPBUFFERRANGE, false) \
     X(ObjectLabel, OBJECTLABEL, false) \
     X(PauseTransformFeedback, PAUSETRANSFORMFEEDBACK, false) \
     X(PixelStorei, PIXELSTOREI, true) \
@@ -156,7 +156,7 @@ typedef void(GL_APIENTRYP PFNGLGETBUFFERSUBDATAPROC)(GLenum target, GLintptr off
     X(Uniform4iv, UNIFORM4IV, true) \
     X(UniformMatrix3fv, UNIFORMMATRIX3FV, true) \
     X(UniformMatrix4fv, UNIFORMMATRIX4FV, true) \
-    X(UnmapBuffer, UNMAPBUFFER, true) \
+    X(UnmapBuffer, UNMAPBUFFER, false) \
     X(UseProgram, USEPROGRAM, true) \
     X(VertexAttribDivisor, VERTEXATTRIBDIVISOR, true) \
     X(VertexAttribPointer, VERTEXATTRIBPOINTER, true) \

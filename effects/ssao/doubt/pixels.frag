@@ -18,6 +18,6 @@ layout(location = 0) out float doubt;
 void main()
 {
     float dark = 1.0 - texelFetch(ao_filtered, ivec2(gl_FragCoord.xy), 0).r;
-    vec2 tile = uv * vec2(textureSize(ao, 0)) * 0.25;
-    doubt = texelFetch(doubt_tiles, ivec2(tile), 0).r * sqrt(max(dark, 0.0));
+    vec2 tiles = 0.25 * vec2(textureSize(ao, 0)) / vec2(textureSize(doubt_tiles, 0));
+    doubt = texture(doubt_tiles, uv * tiles).r * sqrt(max(dark, 0.0));
 }

@@ -126,7 +126,9 @@ private:
              overridesOf(choice), options_.checkout, options_.roots},
             sources_, fits(choice));
         if (!loaded) return loaded.diagnostics();
-        std::vector<std::string> outputs = namesOf(loaded->description.outputs);
+        std::vector<std::string> outputs;
+        for (const OutputDesc& output : loaded->description.outputs)
+            if (!output.on_request) outputs.push_back(output.name);
         return {{std::move(loaded->description), std::move(loaded->content), std::move(outputs)},
                 loaded.diagnostics()};
     }

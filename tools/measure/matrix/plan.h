@@ -26,7 +26,7 @@ struct MatrixScene {
 struct MatrixSubject {
     Description description;
     std::string content;                               ///< A hash over its document and its GLSL.
-    std::vector<std::string> exported;                 ///< Its own outputs.
+    std::vector<std::string> exported;                 ///< Its own outputs but those on request.
     std::map<std::string, OutputSource> sources = {};  ///< Of the checks' outputs.
 };
 

@@ -188,6 +188,21 @@ test('The canvas shows A, a drag orbits, and a line parts A from B', async () =>
   await page.close();
 });
 
+test('Doubt is shown as heat, with the error that is to be expected', async () => {
+  const page = await open('#config=balanced&scene=corner&show=doubt&size=96x54');
+  const read = name => page.evaluate(name => [...crevice.engine.readBack(0, name).values], name);
+  const [rmse] = await read('doubt_rmse'), red = (await read('doubt')).map(value => Math.min(1, 12 * value));
+  assert(rmse > 0.001 && rmse < 0.3, String(rmse));
+  assert(differing(await canvas(page), red) === 0 && Math.max(...red) > 0.2);
+  const said = `Doubt, rmse about ${Number(rmse.toPrecision(2))}`;
+  await page.waitForFunction(said => document.getElementById('name-a').textContent.endsWith(said), {}, said);
+  await page.select('#show-a', 'ao');
+  await rest(page);
+  assert((await page.$eval('#name-a', node => node.textContent)).endsWith('AO'));
+  quiet(page);
+  await page.close();
+});
+
 test('A/B opens with another picture than A', async () => {
   const page = await open('#config=balanced&scene=corner&size=96x54');
   for (const [show, other] of [['color', 'without'], ['without', 'color'], ['ao', 'without']]) {
