@@ -356,19 +356,22 @@ Result<Image> GlDevice::readTexture(TextureId id)
     return image;
 }
 
-Status GlDevice::beginRead(int slot, TextureId id)
+Status GlDevice::beginRead(TextureId id)
 {
-    if (Status status = check_errors_ ? checkCurrent() : Status(); !status) return status;
     if (Status status = checkReadable(*this, id); !status) return status;
     if (hasErrors(errors_)) return errors_;  // as endFrame will say
-    const TextureSlot& texture = textures_.at(id.value);
-    Scope scope(*this);
-    if (Status status = state_.checkHost(); !status) return status;
+    TextureSlot& texture = textures_.at(id.value);
     for (const GLenum test : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND})  // of the last pass
         state_.setEnabled(test, false);
     state_.unmask();
     const GLuint nearest = sampler({Filter::nearest, Wrap::clamp}, texture.format);
-    return reads_.begin(gl_, state_, copier_, slot, texture.name, nearest);
+    return reads_.begin(gl_, state_, copier_, texture.read, texture.name, nearest);
+}
+
+std::optional<std::array<float, 4>> GlDevice::takeRead(TextureId id)
+{
+    if (!textures_.find(id.value)) return std::nullopt;
+    return GlReads::take(gl_, textures_.at(id.value).read);
 }
 
 Result<std::unique_ptr<Device>> makeGlDevice(const GlLoader& loader, const GlDeviceOptions& options)

@@ -41,11 +41,8 @@ public:
     void destroy(ObjectId id) override;
     Status writeTexture(TextureId id, const Image& image) override;
     Result<Image> readTexture(TextureId id) override;
-    Status beginRead(int slot, TextureId id) override;
-    std::optional<std::array<float, 4>> takeRead(int slot) override
-    {
-        return reads_.take(gl_, slot);
-    }
+    Status beginRead(TextureId id) override;
+    std::optional<std::array<float, 4>> takeRead(TextureId id) override;
     const std::vector<UniformInfo>& uniforms(ProgramId id) const override
     {
         return programs_.at(id.value).uniforms;
@@ -80,6 +77,7 @@ private:
         Extent extent;
         int samples = 1;
         GlHostCopy copy;  // nothing where no copy is kept of the host's
+        GlRead read = {};
 
         /// Whether it is the host's own, which may have deleted it.
         bool adopted() const

@@ -92,6 +92,12 @@ public:
         return *slots_[id - 1];
     }
 
+    T& at(std::uint32_t id)
+    {
+        assert(find(id));
+        return *slots_[id - 1];
+    }
+
     /// Null for an id that is none.
     const T* find(std::uint32_t id) const
     {

@@ -5,37 +5,37 @@
 #include "backends/gl/copy.h"
 
 #include <array>
+#include <memory>
 
 namespace crevice {
 
-/// Reads into slots as Device::beginRead and takeRead have it.
+struct GlSyncDelete {
+    const GlApi* gl = nullptr;
+    void operator()(GLsync sync) const { gl->DeleteSync(sync); }
+};
+using GlFence = std::unique_ptr<std::remove_pointer_t<GLsync>, GlSyncDelete>;
+
+/// Of one texture: at most one read at a time.
+struct GlRead {
+    GlBuffer buffer;  ///< Nothing before the first.
+    GlFence done;     ///< Null while nothing is read.
+};
+
+/// Reads as Device::beginRead and takeRead have it.
 class GlReads {
 public:
-    GlReads() = default;
-    GlReads(const GlReads&) = delete;
-    GlReads& operator=(const GlReads&) = delete;
-    ~GlReads() { forget(); }
-
     /// `nearest` is a sampler without a filter. Errors: CV6005, CV6009, CV6016.
-    Status begin(GlApi& gl, GlState& state, const GlCopier& copier, int slot, GLuint texture,
+    Status begin(GlApi& gl, GlState& state, const GlCopier& copier, GlRead& read, GLuint texture,
                  GLuint nearest);
 
-    /// Changes a buffer's binding and puts it back.
-    std::optional<std::array<float, 4>> take(const GlApi& gl, int slot);
+    /// Requires the state that a frame has.
+    static std::optional<std::array<float, 4>> take(const GlApi& gl, GlRead& read);
 
 private:
-    struct Slot {
-        GlBuffer buffer;
-        GLsync done = nullptr;  // null while nothing is read
-    };
+    void make(const GlApi& gl, GlState& state, GlRead& read);
 
-    void make(GlApi& gl, GlState& state, Slot& slot);
-    void forget();
-
-    const GlApi* gl_ = nullptr;  // null before the first read
     GlTexture bits_;             // one texel ...
     GlFramebuffer framebuffer_;  // ... to draw into
-    Slot slots_[kMaxReads];
 };
 
 }  // namespace crevice

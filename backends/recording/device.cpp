@@ -289,23 +289,25 @@ Result<Image> RecordingDevice::readTexture(TextureId id)
     return Image(object->texture.extent, formatInfo(object->texture.format).channels);
 }
 
-Status RecordingDevice::beginRead(int slot, TextureId id)
+Status RecordingDevice::beginRead(TextureId id)
 {
-    const Object* object = find(id, "beginRead");
+    Object* object = find(id, "beginRead");
     if (Status status = checkReadable(*this, id); !status) return status;
     if (Status status = checkContext("texture '" + object->label + "'"); !status) return status;
-    if (in_pass_) blame("texture '" + object->label + "' is read inside a pass");
+    if (!in_frame_ || in_pass_) blame("beginRead outside a frame, or inside a pass");
     if (!object->defined) blame("texture '" + object->label + "' is read, with undefined content");
     record(Call::begin_read, id.value);
-    std::array<float, 4>& texel = reads_[slot].emplace();
+    std::array<float, 4>& texel = object->read.emplace();
     for (int i = 0; i < object->image.channels; ++i) texel[i] = object->image.pixels[i];
     return {};
 }
 
-std::optional<std::array<float, 4>> RecordingDevice::takeRead(int slot)
+std::optional<std::array<float, 4>> RecordingDevice::takeRead(TextureId id)
 {
-    if (results_held_) return std::nullopt;
-    return std::exchange(reads_[slot], std::nullopt);
+    if (!in_frame_) blame("takeRead outside a frame");
+    const auto object = objects_.find(id.value);
+    if (results_held_ || object == objects_.end()) return std::nullopt;
+    return std::exchange(object->second.read, std::nullopt);
 }
 
 const std::vector<UniformInfo>& RecordingDevice::uniforms(ProgramId id) const

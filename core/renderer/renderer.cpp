@@ -127,7 +127,7 @@ const FrameTimes* Renderer::times() const { return state_->execution->times(); }
 void Renderer::follow(std::string_view output)
 {
     std::vector<std::string>& names = state_->followed;
-    if (contains(names, output) || names.size() >= kMaxReads) return;
+    if (contains(names, output)) return;
     names.emplace_back(output);
     state_->execution->follow(names);
 }

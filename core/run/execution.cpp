@@ -116,7 +116,6 @@ void Execution::setParam(std::string_view name, const float* values)
 Status Execution::run(const Frame& frame)
 {
     takeTimes();
-    takeReads();
     return draw(frame, timers_, false);
 }
 
@@ -148,6 +147,7 @@ bool Execution::setTiming(bool on)
 Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
 {
     if (Status status = device_.beginFrame(); !status) return status;
+    takeReads();
     const std::vector<char>& chosen = begin(frame, all);
     // Before the first frame histories hold what the memory held, which may be no number: not even
     // a shader that multiplies by `history_valid` could read that.
@@ -260,21 +260,21 @@ const std::array<float, 4>* Execution::value(std::string_view output) const
 
 void Execution::takeReads()
 {
-    for (std::size_t i = 0; i < followed_.size(); ++i) {
-        const auto value = device_.takeRead(static_cast<int>(i));
-        if (!value || !followed_[i].in_flight) continue;
-        followed_[i].in_flight = false;
-        followed_[i].value = value;
+    for (Followed& each : followed_) {
+        const auto value = device_.takeRead(each.in_flight);
+        if (!value) continue;
+        each.in_flight = {};
+        each.value = value;
     }
 }
 
 Status Execution::beginReads()
 {
-    for (std::size_t i = 0; i < followed_.size(); ++i) {
-        const TextureId read = output(followed_[i].name, 0);
-        if (!read || followed_[i].in_flight) continue;
-        if (Status status = device_.beginRead(static_cast<int>(i), read); !status) return status;
-        followed_[i].in_flight = true;
+    for (Followed& each : followed_) {
+        const TextureId read = output(each.name, 0);
+        if (!read || each.in_flight) continue;
+        if (Status status = device_.beginRead(read); !status) return status;
+        each.in_flight = read;
     }
     return {};
 }

@@ -58,7 +58,7 @@ public:
     const FrameTimes* times() const { return timers_.latest(); }
     void takeTimes() { timers_.collect(device_); }
 
-    /// Has `run` read the first texel of these outputs, at most kMaxReads, from now on.
+    /// Has `run` read the first texel of these outputs from now on.
     void follow(const std::vector<std::string>& outputs);
 
     /// What it was in the latest frame whose read is through; nothing before there is one.
@@ -118,7 +118,7 @@ private:
     };
 
     struct Followed : Named {
-        bool in_flight = false;
+        TextureId in_flight = {};  ///< Null while nothing is read.
         std::optional<std::array<float, 4>> value = {};
     };
 
@@ -179,7 +179,7 @@ private:
     ValueTable values_{plan_};
     PassCache cache_{plan_};
     PassTimers timers_;
-    std::vector<Followed> followed_;  // by slot of the device
+    std::vector<Followed> followed_;
     std::vector<char> changed_ = std::vector<char>(plan_.passes.size() * plan_.views);  // by run
     DrawnList drawn_;  // what draw passes drew last
     ViewDraws view_draws_{drawn_};

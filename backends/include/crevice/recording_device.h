@@ -107,8 +107,8 @@ public:
     Result<Image> readTexture(TextureId id) override;
 
     /// What writeTexture put into the first texel, or zeros.
-    Status beginRead(int slot, TextureId id) override;
-    std::optional<std::array<float, 4>> takeRead(int slot) override;
+    Status beginRead(TextureId id) override;
+    std::optional<std::array<float, 4>> takeRead(TextureId id) override;
 
     /// Every uniform that the program's stages declare, in the order of the text.
     const std::vector<UniformInfo>& uniforms(ProgramId id) const override;
@@ -178,6 +178,7 @@ private:
         bool copied = false;   // of what the host has
         bool defined = false;  // something is in the texture
         Image image = {};
+        std::optional<std::array<float, 4>> read = {};
         FramebufferDesc framebuffer = {};
         std::vector<UniformInfo> uniforms = {};
         std::vector<bool> uniform_set = {};  // a sampler's lasts for one setProgram
@@ -231,7 +232,6 @@ private:
     std::vector<double> timers_ms_;
     std::bitset<kMaxTimers> measured_;  // timers that ran
     bool results_held_ = false;
-    std::array<std::optional<std::array<float, 4>>, kMaxReads> reads_;
     bool in_timer_ = false;
     bool frame_fails_ = false;
     bool lost_ = false;

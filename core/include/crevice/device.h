@@ -327,9 +327,6 @@ constexpr int kMaxFrameTimers = 64;
 constexpr int kTimedFrames = 4;
 constexpr int kMaxTimers = kMaxFrameTimers * kTimedFrames;
 
-/// Texels that may be read at once, see Device::beginRead.
-constexpr int kMaxReads = 8;
-
 /// Pixels of a picture; (x, y) is the lower left one.
 struct PixelArea {
     int x = 0, y = 0;
@@ -429,13 +426,13 @@ public:
     /// Reads level 0 as floats, depth too. Waits for the GPU. Errors: those of writeTexture.
     virtual Result<Image> readTexture(TextureId id) = 0;
 
-    /// Begins to read the first texel of level 0 into a slot, [0, kMaxReads), which forgets what it
-    /// was to read. May stand inside a frame, behind the passes. Errors: those of readTexture.
-    virtual Status beginRead(int slot, TextureId id) = 0;
+    /// Begins to read the first texel of level 0 of a texture, as it is then, and forgets a read of
+    /// it before. Inside a frame, not in a pass. Errors: CV6005, CV6009, CV6011, CV6016.
+    virtual Status beginRead(TextureId id) = 0;
 
-    /// The four channels that the slot read, once: nothing where that was taken, where nothing was
-    /// begun, and while the GPU is not through. Never waits.
-    virtual std::optional<std::array<float, 4>> takeRead(int slot) = 0;
+    /// The four channels that were read of the texture, once: nothing where that was taken, where
+    /// nothing was begun, and while the GPU is not through. Never waits. Inside a frame.
+    virtual std::optional<std::array<float, 4>> takeRead(TextureId id) = 0;
 
     /// The active uniforms, without built-ins. Requires a program of the device.
     virtual const std::vector<UniformInfo>& uniforms(ProgramId id) const = 0;

@@ -73,8 +73,8 @@ public:
     void takeTimes();
 
     /// Has `render` read the first texel of an output from now on, without a wait: a mean or an
-    /// estimate that the plan computed. Costs a draw of one pixel a frame. At most kMaxReads may be
-    /// followed; more are ignored, and so are outputs while they are not drawn.
+    /// estimate that the plan computed. Costs a draw of one pixel a frame. Does nothing while
+    /// the output is not drawn.
     void follow(std::string_view output);
 
     /// That texel's channels, those that the format lacks as GLSL has them, in the latest frame

@@ -205,6 +205,9 @@ TEST_CASE("While frames are shown, a texel of an earlier one comes without a wai
     CHECK_FALSE(rig.logged("beginRead"));  // one at a time
     rig.device.holdResults(false);
     CHECK(show() == 0.25f);
+    const auto other = rig.make(rig.device);  // which reads for itself
+    other->follow("ao");
+    need(other->render(rig.frame));
     CHECK(show() == 0.5f);
     need(rig.renderer->setParam("intensity", 0));  // a new plan
     CHECK(show() == -1);

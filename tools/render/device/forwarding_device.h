@@ -41,10 +41,10 @@ public:
         return device_.writeTexture(id, image);
     }
     Result<Image> readTexture(TextureId id) override { return device_.readTexture(id); }
-    Status beginRead(int slot, TextureId id) override { return device_.beginRead(slot, id); }
-    std::optional<std::array<float, 4>> takeRead(int slot) override
+    Status beginRead(TextureId id) override { return device_.beginRead(id); }
+    std::optional<std::array<float, 4>> takeRead(TextureId id) override
     {
-        return device_.takeRead(slot);
+        return device_.takeRead(id);
     }
     const std::vector<UniformInfo>& uniforms(ProgramId id) const override
     {
