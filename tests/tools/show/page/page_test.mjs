@@ -268,7 +268,12 @@ test('Each tab shows what the engine says', async () => {
   assert.match((await words('#turns td'))[1], /^[\d.]+ of learnopengl \([\d.]+ to [\d.]+\)$/);
   await page.select('#config-a', 'learnopengl');
   await page.waitForFunction(() => document.querySelector('#turns th').textContent === 'learnopengl');
-  assert.equal((await page.$$('#turns tr.soft')).length, 2, 'what overlaps is grey');
+  // A busy machine may shift all turns to one side.
+  const [turns, grey] = await page.evaluate(() =>
+    [document.querySelectorAll('#turns td')[1].textContent, document.querySelectorAll('#turns tr.soft').length]);
+  const [least, most] = turns.match(/([\d.]+) to ([\d.]+)\)$/).slice(1).map(Number);
+  if (least < 0.99 && most > 1.01) assert.equal(grey, 2, 'what overlaps is grey');
+  if (least > 1.01 || most < 0.99) assert.equal(grey, 0, 'what does not is not');
   await page.select('#config-a', 'balanced');
   await rest(page);
   await page.click('#tab-patch');
