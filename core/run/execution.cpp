@@ -234,9 +234,9 @@ bool Execution::takeUniforms(PreparedPass& pass)
 
 Status Execution::end(const Frame& frame)
 {
-    Status status = beginReads();
-    const Status ended = device_.endFrame();
-    if (!ended) status = ended;
+    const Status read = beginReads();
+    Status status = device_.endFrame();
+    if (status && !read) status = read;
     for (PreparedView& view : views_) view.history.valid = status.ok();
     if (!status) cache_.clear();
     if (!status) return status;

@@ -2,6 +2,8 @@
 // What hosts do wrong, on a real context: calls without it or in another one, ids of nothing.
 // A host that is amid something when crevice is called: what cannot be set aside is refused before
 // anything is drawn. What can, as transform feedback, is in the random states of hosts.
+#include <crevice/effect.h>
+
 #include "backends/gl/objects.h"
 #include "tests/backends/stage.h"
 #include "tests/support/gl_fixture.h"
@@ -254,4 +256,11 @@ TEST_CASE_METHOD(BusyHost, "An error that the host left is a warning of the next
     CHECK(status.ok());
     CHECK(onlyCode(status) == Code::gl_error);
     CHECK(refusal().empty());
+
+    Effect effect = need(Effect::create(*device, "mobile_low", {16, 16}, {"ao"}));
+    need(effect.render());
+    gl.Enable(0xFFFF);
+    const Status drawn = effect.render();
+    CHECK(drawn.ok());
+    CHECK(onlyCode(drawn) == Code::gl_error);
 }
