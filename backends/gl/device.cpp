@@ -361,8 +361,6 @@ Status GlDevice::beginRead(TextureId id)
     if (Status status = checkReadable(*this, id); !status) return status;
     if (hasErrors(errors_)) return errors_;  // as endFrame will say
     TextureSlot& texture = textures_.at(id.value);
-    for (const GLenum test : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND})  // of the last pass
-        state_.setEnabled(test, false);
     state_.unmask();
     const GLuint nearest = sampler({Filter::nearest, Wrap::clamp}, texture.format);
     return reads_.begin(gl_, state_, copier_, texture.read, texture.name, nearest);

@@ -49,7 +49,7 @@ Result<std::vector<Picture>> readRequests(const RenderOptions& options)
     for (const std::string& text : options.out) {
         const Result<OutputRequest> request = parseOutputRequest(text);
         if (!request) return request.diagnostics();
-        if (request->file.empty() && !frames) {
+        if (request->file.empty() && !frames) {  // a number, to be printed
             pictures.push_back({*request, {}});
             continue;
         }
