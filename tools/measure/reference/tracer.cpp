@@ -11,31 +11,19 @@
 #include "core/base/text.h"
 #include "tools/commands/cli/config_options.h"
 #include "tools/measure/reference/pixel_tracer.h"
+#include "tools/measure/reference/processors.h"
 #include "tools/render/image/image_file.h"
 
 #include <CLI/CLI.hpp>
 #include <glm/matrix.hpp>
 
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
-#include <thread>
 
 namespace fs = std::filesystem;
 
 namespace crevice {
 namespace {
-
-// Rows are dealt out one by one; each pixel depends on nothing but itself.
-void traceRows(ProgressiveTrace& trace, std::atomic<int>& next_row,
-               const std::function<void(double)>& progress)
-{
-    const int height = trace.extent().height;
-    for (int y = next_row++; y < height; y = next_row++) {
-        trace.traceRow(0, y);
-        if (progress) progress(static_cast<double>(y + 1) / height);
-    }
-}
 
 glm::dvec3 eyeOf(const Camera& camera) { return glm::inverse(camera.view_from_world)[3]; }
 
@@ -129,14 +117,12 @@ Result<Image> traceAmbientOcclusion(const RayScene& scene, const Camera& camera,
     Result<ProgressiveTrace> begun = ProgressiveTrace::begin(scene, camera, extent, options, 1);
     if (!begun) return begun.diagnostics();
     ProgressiveTrace& trace = *begun;
-    std::atomic<int> next_row = 0;
-    const unsigned wanted =
-        options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    std::vector<std::thread> helpers;
-    for (unsigned k = 1; k < wanted; ++k)
-        helpers.emplace_back([&] { traceRows(trace, next_row, {}); });
-    traceRows(trace, next_row, options.progress);
-    for (std::thread& helper : helpers) helper.join();
+    const std::thread::id caller = std::this_thread::get_id();
+    onProcessors(options.threads, extent.height, [&](int y) {
+        trace.traceRow(0, y);
+        if (options.progress && std::this_thread::get_id() == caller)
+            options.progress(static_cast<double>(y + 1) / extent.height);
+    });
     return trace.image();
 }
 
