@@ -152,12 +152,6 @@ Diagnostics readLines(const std::string& path, const LineKind& kind,
     return diagnostics;
 }
 
-const Diagnostic& firstError(const Diagnostics& diagnostics)
-{
-    const auto isError = [](const Diagnostic& each) { return each.severity == Severity::error; };
-    return *std::find_if(diagnostics.begin(), diagnostics.end(), isError);
-}
-
 std::string failureText(const Diagnostics& diagnostics)
 {
     const Diagnostic& error = firstError(diagnostics);

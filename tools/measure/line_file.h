@@ -55,7 +55,11 @@ Diagnostics readLines(const std::string& path, const LineKind& kind,
                       const std::function<void(nlohmann::json&&)>& take);
 
 /// The first that is an error; `diagnostics` has one.
-const Diagnostic& firstError(const Diagnostics& diagnostics);
+inline const Diagnostic& firstError(const Diagnostics& diagnostics)
+{
+    const auto isError = [](const Diagnostic& each) { return each.severity == Severity::error; };
+    return *std::find_if(diagnostics.begin(), diagnostics.end(), isError);
+}
 
 /// "my.frag:12:3: CV5001: the message; the help": the first error, as a line has it.
 std::string failureText(const Diagnostics& diagnostics);

@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "tools/render/image/image_file.h"
+#include "tools/render/image/image_metrics.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
 

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "tools/commands/cli/config_options.h"
 #include "tools/render/image/image_file.h"
+#include "tools/render/image/image_metrics.h"
 
 namespace crevice {
 namespace {

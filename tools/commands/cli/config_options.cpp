@@ -3,11 +3,9 @@
 
 #include <crevice/compile.h>
 
-#include "core/base/content_hash.h"
 #include "core/base/text.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/cli/patch_text.h"
-#include "tools/commands/cli/scene_lengths.h"
 #include "tools/render/image/image_file.h"
 
 #include <CLI/CLI.hpp>
@@ -31,19 +29,6 @@ constexpr struct HostSurface {
     {"log_normals", "geometry/host_log_depth_normal"},
     {"positions", "geometry/host_position_normal"},
 };
-
-void addNode(ContentHash& hash, const Node& node)
-{
-    hash.add(static_cast<int>(node.kind));
-    hash.add(node.boolean);
-    hash.add(node.number);
-    hash.addText(node.kind == Node::Kind::string ? node.text : std::string());
-    for (const Node& item : node.items) addNode(hash, item);
-    for (const Member& member : node.members) {
-        hash.addText(member.key);
-        addNode(hash, member.value);
-    }
-}
 
 /// CLI11's kind of check, which also sets the limit: "passes=500".
 std::string setLimit(const std::string& text, Limits& limits)
@@ -160,11 +145,6 @@ void addHostDepthOption(CLI::App& app, std::vector<std::string>& overrides)
         });
 }
 
-LoadRequest requestOf(const ConfigOptions& options)
-{
-    return {options.config, options.variant, options.overrides, options.roots, options.limits};
-}
-
 void addCheckoutOption(CLI::App& app, std::string& checkout)
 {
     addText(app, "--effects", checkout, "FOLDER",
@@ -197,33 +177,6 @@ void addDisableOption(CLI::App& app, std::vector<std::string>& disable)
     addList(app, "--disable", disable, "NAME",
             "Switch off an optimization: " + listed + "or all; may be repeated")
         ->check(CLI::IsMember(names));
-}
-
-Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources,
-                                    bool fits, const char* length)
-{
-    const Result<Node> document = loadConfig(sources, requestOf(options));
-    if (!document) return document.diagnostics();
-    Result<Description> description = decode(*document, sources, options.limits);
-    if (description && fits) fitLengths(*description, *document, length);
-    return description;
-}
-
-Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources,
-                                     bool file_scene)
-{
-    const Result<Node> document = loadConfig(sources, requestOf(options));
-    if (!document) return document.diagnostics();
-    Result<Description> description = decode(*document, sources, options.limits);
-    if (!description) return description.diagnostics();
-    if (file_scene) fitLengths(*description, *document, kShareOfScene);
-    ContentHash hash;
-    addNode(hash, *document);
-    for (const auto& [path, source] : description->files) {
-        hash.addText(path);
-        hash.addText(source->text);
-    }
-    return LoadedConfig{std::move(*description), hash.hex()};
 }
 
 Status checkPatchFile(const ConfigOptions& options, const std::string& file)

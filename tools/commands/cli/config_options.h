@@ -2,7 +2,7 @@
 // Which config a command works on: the arguments that render, validate and explain share.
 #pragma once
 
-#include "tools/commands/cli/scene_lengths.h"
+#include "tools/commands/cli/load_config.h"
 
 #include <crevice/config.h>
 #include <crevice/shipped.h>
@@ -15,18 +15,6 @@ class Option;
 }  // namespace CLI
 
 namespace crevice {
-
-struct ConfigOptions {
-    std::string config;                   ///< A shipped config's name or a file.
-    std::string variant;                  ///< --variant
-    std::vector<std::string> overrides;   ///< --set, each "name=value"
-    std::string checkout;                 ///< --effects; empty for the embedded modules alone
-    std::vector<std::string> roots = {};  ///< --root
-    Limits limits = {};                   ///< --limit
-};
-
-/// What to load, as core has it.
-LoadRequest requestOf(const ConfigOptions& options);
 
 /// Adds --variant, --set, --host-depth, --effects, --root and --limit; CONFIG is left to the
 /// command, since validate takes several.
@@ -55,21 +43,6 @@ void addRootOption(CLI::App& app, std::vector<std::string>& roots);
 
 /// Adds --disable: optimizations of <crevice/compile.h> that are switched off.
 void addDisableOption(CLI::App& app, std::vector<std::string>& disable);
-
-/// Loads, merges, decodes, and for what is no built-in scene fits lengths to `length`
-/// (scene_lengths.h). Errors: those of loadConfig and decode.
-Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources,
-                                    bool fits = false, const char* length = kShareOfScene);
-
-/// A config with its overrides in force.
-struct LoadedConfig {
-    Description description;
-    std::string content;  ///< A hash over its document and its GLSL.
-};
-
-/// As loadDescription.
-Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources,
-                                     bool file_scene = false);
 
 /// Checks what can be known before drawing. Errors: CV8001 where `file` is the config or does not
 /// end in .json, CV7007 where it cannot be written.

@@ -2,6 +2,7 @@
 #include "tools/measure/bench/entrant.h"
 
 #include "core/base/text.h"
+#include "tools/commands/cli/load_config.h"
 #include "tools/measure/bench/choice.h"
 #include "tools/measure/taps.h"
 #include "tools/render/scene/builtin_scenes.h"
@@ -57,13 +58,27 @@ Status ViewMeter::begin(Entrant& first)
     if (const Status known = load(first); !known) return known;
     const int part = std::clamp(seen_.extent.height / kSmallestHeight, 1, kSmallPart);
     const Extent small = {std::max(1, seen_.extent.width / part), seen_.extent.height / part};
-    if (const Status opened = open(small_, small, kSmallPixels); !opened) return opened;
+    if (const Status opened = open(small_, small); !opened) return opened;
+    if (const Status known = small_.truth->grow(kSmallPixels); !known) return known;
     return options_.motion ? beginMotion() : Status();
 }
 
-Status ViewMeter::openFull() { return open(full_, seen_.extent, kFullPixels); }
+Status ViewMeter::openFull() { return open(full_, seen_.extent); }
 
-Status ViewMeter::open(Picture& picture, Extent extent, std::size_t pixels)
+Result<bool> ViewMeter::grow(std::size_t pixels)
+{
+    const std::size_t known = full_.truth->pixels().size();
+    if (known >= pixels) return false;
+    if (const Status more = full_.truth->grow(known + 1); !more) return more.diagnostics();
+    return full_.truth->pixels().size() > known;
+}
+
+Look& ViewMeter::lookOf(Entrant& entrant, const Picture& picture) const
+{
+    return &picture == &small_ ? entrant.small : entrant.full;
+}
+
+Status ViewMeter::open(Picture& picture, Extent extent)
 {
     picture.view = {seen_.scene, seen_.bounds, seen_.camera, extent};
     picture.frame = makeFrame(*scene_, seen_.camera, extent);
@@ -74,7 +89,7 @@ Status ViewMeter::open(Picture& picture, Extent extent, std::size_t pixels)
     if (!truth) return truth.diagnostics();
     picture.truth.emplace(std::move(*truth));
     picture.unit = Yardstick(device_, sources_, extent, picture.frame, radius_);
-    return picture.truth->grow(pixels);
+    return {};
 }
 
 /// Where the points of the paths are in the next frames.
@@ -141,35 +156,39 @@ Status ViewMeter::lookSmall(Entrant& entrant, bool rough)
 
 Status ViewMeter::look(Entrant& entrant, Picture& picture, bool rough)
 {
+    Drawn& drawn = entrant.drawn;
     const Extent extent = picture.view.extent;
-    Result<HostTextures> host =
-        HostTextures::make(device_, entrant.description, extent, picture.frame);
-    if (!host) return host.diagnostics();
-    entrant.host.emplace(std::move(*host));
-    const Result<Frame> frame = entrant.host->frameOf(picture.frame);
-    if (!frame) return frame.diagnostics();
-    if (!entrant.renderer) {
-        auto made = Renderer::create(device_, entrant.description, {extent, {kOcclusionOutput}, {}},
-                                     traitsOf(*frame));
-        if (!made) return made.diagnostics();
-        entrant.renderer = std::move(*made);
-    } else if (const Status sized = entrant.renderer->resize(extent); !sized) {
-        return sized;
-    }
-    const Result<Image> ao = drawSettled(device_, *entrant.renderer, *frame, kOcclusionOutput);
+    const Status ready =
+        drawn.prepare(device_, entrant.description, picture.frame, {extent, {kOcclusionOutput}});
+    if (!ready) return ready;
+    const Result<Image> ao = drawSettled(device_, *drawn.renderer, drawn.frame, kOcclusionOutput);
     if (!ao) return ao.diagnostics();
     Result<SparseError> error = sparseError(*ao, *picture.truth);
     if (!error) return error.diagnostics();
-    Look& seen = &picture == &small_ ? entrant.small : entrant.full;
+    Look& seen = lookOf(entrant, picture);
     seen.error = std::move(*error);
     seen.with_flicker = std::hypot(seen.error.rmse, flickerOf(entrant.motion));
-    if (&picture == &full_) entrant.texture_bytes = entrant.renderer->plan().texture_bytes;
-    return time(entrant, picture, *frame, rough);
+    if (&picture == &full_) entrant.texture_bytes = drawn.renderer->plan().texture_bytes;
+    looking_ = std::make_unique<Looking>(entrant, picture, rough ? 1 : kTimedTurns);
+    return {};
+}
+
+void ViewMeter::finish()
+{
+    Look& seen = lookOf(looking_->entrant, looking_->picture);
+    const TurnTaker& taker = looking_->taker;
+    const std::vector<double> ratios = looking_->turns.ratios();
+    seen.costs.insert(seen.costs.end(), taker.costs().begin(), taker.costs().end());
+    seen.ratios.insert(seen.ratios.end(), ratios.begin(), ratios.end());
+    seen.unit = &looking_->picture.unit;
+    if (!taker.frames().empty()) looking_->entrant.clock = taker.frames().back().method;
+    looking_->entrant.drawn.rest();
+    looking_.reset();
 }
 
 Status ViewMeter::measureFlicker(Entrant& entrant)
 {
-    const MotionStage stage = {device_, *entrant.renderer, *entrant.host, small_.frame};
+    const MotionStage stage = {device_, *entrant.drawn.renderer, *entrant.drawn.host, small_.frame};
     Result<MotionFigures> moved =
         measureMotion(stage, *motion_view_, motion_, options_.interrupted);
     if (!moved) return moved.diagnostics();
@@ -178,40 +197,23 @@ Status ViewMeter::measureFlicker(Entrant& entrant)
     return {};
 }
 
-Status ViewMeter::time(Entrant& entrant, Picture& picture, const Frame& frame, bool rough)
-{
-    Look& seen = &picture == &small_ ? entrant.small : entrant.full;
-    TurnTaker taker(*entrant.renderer, frame);
-    if (const Status timed = picture.unit.takeTurn(); !timed) return timed;
-    for (int turn = 0; turn < (rough ? 1 : kTimedTurns); ++turn)
-        if (const Status timed = taker.takeTurn(); !timed) return timed;
-    if (const Status timed = picture.unit.takeTurn(); !timed) return timed;
-    const std::vector<double>& units = picture.unit.costs();
-    const double unit = picture.unit ? 0.5 * (units.end()[-1] + units.end()[-2]) : 0.0;
-    for (const double cost : taker.costs()) {
-        seen.costs.push_back(cost);
-        if (unit > 0) seen.ratios.push_back(cost / unit);
-    }
-    seen.unit = &picture.unit;
-    entrant.clock = taker.frames().back().method;
-    return {};
-}
-
 Result<FrameShares> ViewMeter::sharesOf(Entrant& entrant)
 {
-    const Result<Frame> frame = entrant.host->frameOf(full_.frame);
-    if (!frame) return frame.diagnostics();
-    const SceneTraits traits = traitsOf(*frame);
+    const Status ready = entrant.drawn.prepare(device_, entrant.description, full_.frame,
+                                               {seen_.extent, {kOcclusionOutput}});
+    if (!ready) return ready.diagnostics();
+    const Frame& frame = entrant.drawn.frame;
+    const SceneTraits traits = traitsOf(frame);
     const auto made =
         Renderer::create(device_, entrant.description, {seen_.extent, {}, {}}, traits);
     if (!made) return made.diagnostics();
-    const Plan &whole = (*made)->plan(), &occlusion = entrant.renderer->plan();
+    const Plan &whole = (*made)->plan(), &occlusion = entrant.drawn.renderer->plan();
     const auto own =
         ownGeometry(whole, entrant.description, traits, device_.caps(), {seen_.extent});
     if (!own) return own.diagnostics();
     std::vector<std::vector<double>> times(whole.passes.size());
     for (int i = 0; i <= kWholeFrames; ++i) {
-        const Result<FrameTimes> timed = timeFrame(**made, *frame);
+        const Result<FrameTimes> timed = timeFrame(**made, frame);
         if (!timed) return timed.diagnostics();
         for (std::size_t pass = 0; i > 0 && pass < times.size(); ++pass)
             times[pass].push_back(timed->pass_ms[pass]);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A view in two sizes, and what configs do in them: their errors over some pixels, with margins,
-// and their costs.
+// and their costs. What takes long comes in steps, between which a page is drawn.
 #pragma once
 
-#include "tools/measure/bench/measure.h"
+#include "tools/measure/bench/drawn.h"
+#include "tools/measure/bench/times.h"
 #include "tools/measure/motion/measure.h"
 #include "tools/measure/reference/sparse_truth.h"
 #include "tools/render/scene_upload.h"
@@ -39,8 +40,7 @@ struct Entrant {
     std::string passes = {};       ///< The plan of its occlusion at full size ...
     std::string programs =
         {};  ///< ... and its programs' keys: who has both the same draws the same.
-    std::optional<HostTextures> host = {};
-    std::unique_ptr<Renderer> renderer = {};
+    Drawn drawn = {};
     Look small = {}, full = {};
     MotionFigures motion = {};
     TimingMethod clock = TimingMethod::wall_clock;
@@ -82,7 +82,7 @@ public:
     /// of `load`, of the device and of SparseTruth.
     Status begin(Entrant& first);
 
-    /// Errors: those of SparseTruth.
+    /// So that configs can be drawn in it once its truth is known. Errors: those of SparseTruth.
     Status openFull();
     Extent smallExtent() const { return small_.view.extent; }
 
@@ -91,18 +91,27 @@ public:
     /// `radius` or the output `ao`.
     Status load(Entrant& entrant);
 
-    /// Draws it in a picture, and adds to its costs there: with `rough` one turn, else three,
-    /// between two of learnopengl. Errors: those of Renderer::create, of drawing and of
-    /// sparseError.
+    /// Draws it in a picture, and leaves turns to be taken there: with `rough` one, else three.
+    /// It must stay in its place until `finish`. Errors: those of Drawn::prepare, of drawing and
+    /// of sparseError.
     Status lookSmall(Entrant& entrant, bool rough);
     Status lookFull(Entrant& entrant) { return look(entrant, full_, false); }
 
-    /// Medians of whole frames at full size. Requires that it was drawn there. Errors: those of
-    /// Renderer::create, timeFrame and ownGeometry.
+    /// What a look left to be taken; null after `finish`.
+    Turns* turns() const { return looking_ ? &looking_->turns : nullptr; }
+
+    /// Adds the turns that were taken to the entrant's costs.
+    void finish();
+
+    /// Forgets a look whose turns failed.
+    void drop() { looking_.reset(); }
+
+    /// Medians of whole frames at full size. Errors: those of Drawn::prepare, timeFrame and
+    /// ownGeometry.
     Result<FrameShares> sharesOf(Entrant& entrant);
 
-    /// Traces the full picture's truth at so many pixels. Errors: none that were not there before.
-    Status grow(std::size_t pixels) { return full_.truth->grow(pixels); }
+    /// Traces a part of the full picture's truth; false where `pixels` of it, or all, are known.
+    Result<bool> grow(std::size_t pixels);
 
     /// What is known of it at full size. Requires that it was drawn there.
     BenchSample sampleOf(const Entrant& entrant) const;
@@ -115,13 +124,29 @@ private:
         Yardstick unit;
     };
 
-    Status open(Picture& picture, Extent extent, std::size_t pixels);
+    /// A look whose turns are not taken yet.
+    struct Looking {
+        Entrant& entrant;
+        Picture& picture;
+        TurnTaker taker;
+        Turns turns;
+
+        Looking(Entrant& looked_at, Picture& in, int count)
+            : entrant(looked_at),
+              picture(in),
+              taker(*looked_at.drawn.renderer, looked_at.drawn.frame),
+              turns(taker, in.unit.turns(), count, count)
+        {
+        }
+    };
+
+    Status open(Picture& picture, Extent extent);
+    Look& lookOf(Entrant& entrant, const Picture& picture) const;
     Status beginMotion();
     Result<double> medianDepth();
     Result<Description> describe(const Entrant& entrant);
     Status look(Entrant& entrant, Picture& picture, bool rough);
     Status measureFlicker(Entrant& entrant);
-    Status time(Entrant& entrant, Picture& picture, const Frame& frame, bool rough);
 
     Device& device_;
     const BenchView& seen_;
@@ -132,6 +157,7 @@ private:
     std::optional<Result<double>> distance_;  // the median one
     double radius_ = 0;
     Picture small_, full_;
+    std::unique_ptr<Looking> looking_;
     std::optional<MotionView> motion_view_;
     MotionTruth motion_;
 };

@@ -67,17 +67,6 @@ struct BenchMeter::Setting {
         return {};
     }
 
-    /// For `frame`, or a frame of it that a host hands over.
-    Result<std::unique_ptr<Renderer>> makeRenderer(Device& device, Description description,
-                                                   std::vector<std::string> outputs,
-                                                   const std::vector<std::string>& disable = {},
-                                                   const Frame* hosted = nullptr) const
-    {
-        return Renderer::create(device, std::move(description),
-                                {view.extent, std::move(outputs), disable},
-                                traitsOf(hosted ? *hosted : frame));
-    }
-
     const BenchView& view;
     std::string reference;
     UploadedScene scene;
@@ -135,58 +124,44 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     sample.device = device_.caps().name;
     sample.software = device_.caps().software;
 
-    Result<HostTextures> host =
-        HostTextures::make(device_, task.description, sample.extent, setting_->frame);
-    if (!host) return host.diagnostics();
-    Result<Frame> frame = host->frameOf(setting_->frame);
-    if (!frame) return frame.diagnostics();
-    const auto makeRenderer = [&](const std::string& output) {
-        return setting_->makeRenderer(device_, task.description, {output}, sample.disable, &*frame);
+    Drawn drawn;
+    const auto prepare = [&](const std::string& output) {
+        return drawn.prepare(device_, task.description, setting_->frame,
+                             {sample.extent, {output}, sample.disable});
     };
-    auto renderer = makeRenderer(kOcclusionOutput);
-    if (!renderer) return renderer.diagnostics();
-    const Result<Image> ao = drawSettled(device_, **renderer, *frame, kOcclusionOutput);
+    if (const Status ready = prepare(kOcclusionOutput); !ready) return ready.diagnostics();
+    const Result<Image> ao = drawSettled(device_, *drawn.renderer, drawn.frame, kOcclusionOutput);
     if (!ao) return ao.diagnostics();
-    if (options_.motion) measureMotion(task, **renderer, *host, sample);
-    if (options_.motion) frame = host->frameOf(setting_->frame);  // as before the camera moved
-    if (!frame) return frame.diagnostics();
-    if (sample.output != kOcclusionOutput) renderer = makeRenderer(sample.output);
-    if (!renderer) return renderer.diagnostics();
-    if (const Status timed = measureTimes(task, **renderer, *frame, sample); !timed)
-        return timed.diagnostics();
+    if (options_.motion) measureMotion(task, drawn, sample);
+    if (sample.output != kOcclusionOutput) drawn.renderer.reset();
+    if (const Status ready = prepare(sample.output); !ready)  // as before the camera moved
+        return ready.diagnostics();
+    if (const Status timed = measureTimes(task, drawn, sample); !timed) return timed.diagnostics();
     if (const Status known = measureErrors(*ao, sample); !known) return known.diagnostics();
     if (const Status kept = writePictures(task, *ao, sample); !kept) return kept.diagnostics();
 
-    const MovedBytes bytes = movedBytes((*renderer)->plan());
-    sample.texture_bytes = (*renderer)->plan().texture_bytes;
+    const MovedBytes bytes = movedBytes(drawn.renderer->plan());
+    sample.texture_bytes = drawn.renderer->plan().texture_bytes;
     sample.bytes_read = bytes.read;
     sample.bytes_written = bytes.written;
     return sample;
 }
 
-Status BenchMeter::measureTimes(const BenchTask& task, Renderer& renderer, const Frame& frame,
-                                BenchSample& sample)
+Status BenchMeter::measureTimes(const BenchTask& task, Drawn& drawn, BenchSample& sample)
 {
-    const auto own = ownGeometry(renderer.plan(), task.description, traitsOf(frame), device_.caps(),
-                                 {sample.extent});
+    Renderer& renderer = *drawn.renderer;
+    const auto own = ownGeometry(renderer.plan(), task.description, traitsOf(drawn.frame),
+                                 device_.caps(), {sample.extent});
     if (!own) return own.diagnostics();
-    Yardstick& unit = setting_->yardstick;
-    TurnTaker taker(renderer, frame, *own);
-    if (const Status warm = taker.takeTurn(); !warm) return warm;
-    taker.restart();
-    TimeFigures ratio;
-    for (int turn = 1; turn <= kMostPatience * options_.repeats; ++turn) {
-        if (options_.interrupted()) return {};
-        if (const Status drawn = taker.takeTurn(); !drawn) return drawn;
-        if (const Status drawn = unit.takeTurn(); !drawn) return drawn;
-        ratio = ratioFigures(taker.costs(), unit.costs());
-        const TimeFigures& settling = unit ? ratio : timeFigures(taker.costs());
-        if (turn >= options_.repeats &&
-            medianMargin(settling, taker.costs().size()) <= kSettledMargin)
-            break;
+    TurnTaker taker(renderer, drawn.frame, *own);
+    TurnTaker* unit = setting_->yardstick.turns();
+    Turns turns(taker, unit, options_.repeats, kMostPatience * options_.repeats);
+    const Status taken = turns.take(options_.interrupted);
+    if (!taken || turns.next()) return taken;
+    if (unit) {
+        sample.ratio_learnopengl = ratioFigures(taker.costs(), unit->costs()).median;
+        sample.ratio_with_geometry = ratioFigures(taker.costsWithGeometry(), unit->costs()).median;
     }
-    sample.ratio_learnopengl = ratio.median;
-    sample.ratio_with_geometry = ratioFigures(taker.costsWithGeometry(), unit.costs()).median;
     sample.cost = timeFigures(taker.costs());
     sample.cost_with_geometry = timeFigures(taker.costsWithGeometry());
     describeFrames(taker.frames(), renderer.plan(), sample);
@@ -209,8 +184,7 @@ Status BenchMeter::measureErrors(const Image& ao, BenchSample& sample)
 }
 
 /// Whatever keeps it from being measured goes to the sample, whose other figures stay.
-void BenchMeter::measureMotion(const BenchTask& task, Renderer& renderer, HostTextures& host,
-                               BenchSample& sample)
+void BenchMeter::measureMotion(const BenchTask& task, Drawn& drawn, BenchSample& sample)
 {
     Setting& setting = *setting_;
     const BenchView& view = setting.view;
@@ -223,7 +197,7 @@ void BenchMeter::measureMotion(const BenchTask& task, Renderer& renderer, HostTe
     const Result<MotionTruth>& truth = setting.motion_truth;
     const auto figures = [&]() -> Result<MotionFigures> {
         if (!truth) return truth.diagnostics();
-        const MotionStage stage = {device_, renderer, host, setting.frame};
+        const MotionStage stage = {device_, *drawn.renderer, *drawn.host, setting.frame};
         return crevice::measureMotion(stage, *setting.motion, *truth, options_.interrupted);
     }();
     if (figures)

@@ -249,16 +249,6 @@ private:
 
 }  // namespace
 
-bool isPresetConfig(std::string_view config)
-{
-    return contains({"mobile_low", "mobile", "balanced", "high"}, config);
-}
-
-Camera BenchView::matrices() const
-{
-    return {camera.view_from_world, clipFromView(camera, extent, bounds)};
-}
-
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources)
 {
     std::vector<Extent> extents;

@@ -2,7 +2,10 @@
 #include "tools/measure/bench/quick.h"
 
 #include "core/base/text.h"
+#include "tools/commands/cli/load_config.h"
+#include "tools/commands/cli/output.h"
 #include "tools/measure/bench/neighbours.h"
+#include "tools/measure/line_file.h"
 #include "tools/measure/taps.h"
 
 #include <set>
@@ -53,7 +56,7 @@ QuickOptions withConfigs(QuickOptions options, const SourceSet& sources)
 
 /// What a figure became at full size: of the same config with other values, else of all.
 template <class Figure>
-Range growthOf(const Entrant& entrant, const std::vector<Entrant>& all, Figure&& figure)
+Range growthOf(const Entrant& entrant, const std::deque<Entrant>& all, Figure&& figure)
 {
     std::vector<double> factors;
     for (const Entrant& other : all) {
@@ -154,16 +157,37 @@ void QuickBench::enter(Entrant entrant)
     if (anyOf(entrants_, [&](const Entrant& each) { return each.label() == label; })) return;
     Status done = meter_.load(entrant);
     const std::string set = entrant.setting.substr(0, entrant.setting.find('='));
+    const bool is_neighbour = !entrant.setting.empty();
     const bool by_feature = findNamed(entrant.description.features, set) != nullptr;
     const auto same = [&](const Entrant& each) {
         return each.passes == entrant.passes && (by_feature || each.programs == entrant.programs);
     };
     if (done && anyOf(entrants_, same)) return;
-    if (done) done = meter_.lookSmall(entrant, entrant.setting.empty());
-    if (done) return entrants_.push_back(std::move(entrant));
-    if (!entrant.setting.empty()) return;  // values that do not go together
-    const Diagnostic& why = firstError(done.diagnostics());
-    warnings_.push_back(asWarning({why.code, label + " is left out: " + why.message}));
+    entrants_.push_back(std::move(entrant));
+    looked_at_ = label;
+    if (done) done = meter_.lookSmall(entrants_.back(), !is_neighbour);
+    if (done) return;
+    // Of a neighbour, values do not go together.
+    leaveOut(label, is_neighbour ? Diagnostics() : done.diagnostics());
+}
+
+void QuickBench::leaveOut(const std::string& label, const Diagnostics& why)
+{
+    eraseIf(entrants_, [&](const Entrant& each) { return each.label() == label; });
+    if (why.empty()) return;
+    const Diagnostic& error = firstError(why);
+    warnings_.push_back(asWarning({error.code, label + " is left out: " + error.message}));
+}
+
+void QuickBench::settle(const Status& taken)
+{
+    if (taken) {
+        meter_.finish();
+    } else {
+        meter_.drop();
+        leaveOut(looked_at_, taken.diagnostics());
+    }
+    if (stage_ > Stage::first_look) sayLeader();
 }
 
 /// The next config. False where there is none, or no time for one.
@@ -194,77 +218,117 @@ bool QuickBench::enterNeighbours()
     const auto place = withoutNeighbours();
     if (!place) return false;
     entrants_[*place].has_neighbours = true;
-    if (!meter_.lookSmall(entrants_[*place], false)) return true;  // its cost was rough
-    const std::string of = entrants_[*place].label(), config = entrants_[*place].config;
+    looked_at_ = entrants_[*place].label();
+    const Status drawn = meter_.lookSmall(entrants_[*place], false);  // its cost was rough
+    if (!drawn) return true;
+    const std::string of = looked_at_, config = entrants_[*place].config;
     const std::vector<std::string> own = entrants_[*place].overrides;
     std::vector<std::string> settings = neighbourSettings(entrants_[*place].description);
     for (std::string& swap : filterSwaps(sources_, {config, {}, own, options_.roots}))
         settings.push_back(std::move(swap));
-    for (const std::string& setting : settings) {
-        if (mustStop()) return false;
-        enter({config, withSetting(own, setting), setting, of});
-    }
+    for (const std::string& setting : settings)
+        to_enter_.push_back({config, withSetting(own, setting), setting, of});
     return true;
 }
 
-/// What cannot be drawn there is out, and gives false.
-bool QuickBench::lookFull(std::size_t place)
+/// What cannot be drawn there is out.
+void QuickBench::lookFull(std::size_t place)
 {
+    looked_at_ = entrants_[place].label();
     const Status drawn = meter_.lookFull(entrants_[place]);
-    if (drawn) return true;
-    warnings_.push_back(asWarning(firstError(drawn.diagnostics())));
-    entrants_.erase(entrants_.begin() + static_cast<std::ptrdiff_t>(place));
-    return false;
+    if (!drawn) leaveOut(looked_at_, drawn.diagnostics());
 }
 
-void QuickBench::race()
+/// False where nothing could lead that was not measured.
+bool QuickBench::race()
 {
-    while (!mustStop()) {
-        const auto next = nextOf(standings(), options_.limits, options_.whole_front);
-        if (next)
-            lookFull(*next);
-        else if (!enterNext() && !enterNeighbours())
-            break;
-        sayLeader();
+    if (!to_enter_.empty()) {
+        Entrant next = std::move(to_enter_.front());
+        to_enter_.pop_front();
+        enter(std::move(next));
+        return true;
     }
-    const auto is_known = [](const Entrant& each) { return static_cast<bool>(each.full); };
-    if (anyOf(entrants_, is_known) || entrants_.empty()) return;
-    lookFull(nearestOf(standings(), options_.limits));  // so that the answer can say how far it is
+    const auto next = nextOf(standings(), options_.limits, options_.whole_front);
+    if (next) lookFull(*next);
+    return next || enterNext() || enterNeighbours();
 }
 
-/// While there is time: what is next to the leader, then more pixels and turns for it and for the
-/// next best.
-void QuickBench::refine()
+/// What is next to the leader, then more pixels and turns for it and for the next best. False where
+/// all of that is done.
+bool QuickBench::refine()
 {
-    const auto leader = leaderOf(standings(), options_.limits);
-    const std::string of = leader ? entrants_[*leader].label() : "";
-    for (std::size_t i = entrants_.size(); i-- > 0 && !mustStop();)
-        if (leader && entrants_[i].of == of && !entrants_[i].full) lookFull(i);
-    for (std::size_t pixels = kFullPixels; pixels < kMostPixels && !mustStop();) {
-        std::vector<Standing> all = standings();
-        const auto first = leaderOf(all, options_.limits);
-        if (!first || !meter_.grow(pixels *= 2)) return;
-        all[*first].measured = false;
-        const auto second = leaderOf(all, options_.limits);
-        if (!lookFull(*first) || mustStop()) return;
-        if (second) lookFull(*second);
+    std::vector<Standing> all = standings();
+    const auto first = leaderOf(all, options_.limits);
+    if (!first) return false;
+    if (stage_ == Stage::kin) {
+        for (const Entrant& each : entrants_)
+            if (each.of == entrants_[*first].label() && !each.full)
+                to_look_at_.push_back(each.label());
+        stage_ = Stage::pixels;
+    }
+    if (!to_look_at_.empty()) {
+        const std::string label = to_look_at_.front();
+        to_look_at_.pop_front();
+        for (std::size_t i = 0; i < entrants_.size(); ++i)
+            if (entrants_[i].label() == label) return lookFull(i), true;
+        return true;
+    }
+    const Result<bool> grown = meter_.grow(pixels_);
+    if (!grown || *grown) return grown.ok();
+    if (looked_by_ == pixels_) {
+        pixels_ *= 2;
+        return pixels_ <= kMostPixels;
+    }
+    looked_by_ = pixels_;
+    to_look_at_.push_back(entrants_[*first].label());
+    all[*first].measured = false;
+    if (const auto second = leaderOf(all, options_.limits))
+        to_look_at_.push_back(entrants_[*second].label());
+    return true;
+}
+
+Result<bool> QuickBench::step()
+{
+    const auto presets =
+        std::count_if(options_.configs.begin(), options_.configs.end(), isPresetConfig);
+    switch (stage_) {
+    case Stage::begin: {
+        Entrant first{options_.configs.front(), options_.overrides};
+        if (const Status begun = meter_.begin(first); !begun) return begun.diagnostics();
+        stage_ = Stage::first_look;
+        return true;
+    }
+    case Stage::first_look:
+        if (next_config_ < std::max<std::size_t>(kLeastFirst, presets) && enterNext()) return true;
+        sayLeader(true);
+        if (const Status opened = meter_.openFull(); !opened) return opened.diagnostics();
+        stage_ = Stage::truth;
+        return true;
+    case Stage::truth: {
+        const Result<bool> grown = meter_.grow(kFullPixels);
+        if (grown && !*grown) stage_ = Stage::race;
+        return grown ? Result<bool>(true) : grown;
+    }
+    case Stage::race: {
+        if (!mustStop() && race()) return true;
+        stage_ = Stage::kin;
+        const auto is_known = [](const Entrant& each) { return static_cast<bool>(each.full); };
+        if (!anyOf(entrants_, is_known) && !entrants_.empty())  // so that it can say how far it is
+            lookFull(nearestOf(standings(), options_.limits));
+        return true;
+    }
+    default: return !mustStop() && refine();
     }
 }
 
 Status QuickBench::run()
 {
-    Entrant first{options_.configs.front(), options_.overrides};
-    if (const Status begun = meter_.begin(first); !begun) return begun;
-    const auto presets =
-        std::count_if(options_.configs.begin(), options_.configs.end(), isPresetConfig);
-    const std::size_t looked_at = std::max<std::size_t>(kLeastFirst, presets);
-    while (next_config_ < looked_at && enterNext()) {
+    for (bool more = true; more;) {
+        const Result<bool> stepped = step();
+        if (!stepped) return stepped.diagnostics();
+        more = *stepped;
+        if (Turns* due = turns()) settle(due->take(options_.interrupted));
     }
-    sayLeader(true);
-    if (const Status opened = meter_.openFull(); !opened) return opened;
-    race();
-    refine();
-    sayLeader();
     if (const auto best = leaderOf(standings(), options_.limits); best && !options_.interrupted())
         if (const auto shares = meter_.sharesOf(entrants_[*best])) shares_ = *shares;
     return warnings_;

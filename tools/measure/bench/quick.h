@@ -11,6 +11,8 @@
 #include "tools/measure/bench/entrant.h"
 #include "tools/measure/bench/race.h"
 
+#include <deque>
+
 namespace crevice {
 
 struct QuickOptions {
@@ -56,6 +58,19 @@ public:
     /// one. Errors: those of ViewMeter::begin. What cannot be drawn is a warning.
     Status run();
 
+    /// The next part of that, at most some tenths of a second: false where nothing is left. What
+    /// `turns` then names is to be taken before the next. Errors: as `run`.
+    Result<bool> step();
+
+    /// What is to be drawn and timed now; null where that is nothing.
+    Turns* turns() const { return meter_.turns(); }
+
+    /// Once turns are taken, or have failed.
+    void settle(const Status& taken);
+
+    /// What was left out, and why.
+    const Diagnostics& warnings() const { return warnings_; }
+
     /// What was measured at full size.
     std::vector<BenchSample> samples() const;
 
@@ -72,16 +87,23 @@ private:
     void enter(Entrant entrant);
     bool enterNext();
     bool enterNeighbours();
-    bool lookFull(std::size_t place);
-    void race();
-    void refine();
+    void lookFull(std::size_t place);
+    void leaveOut(const std::string& label, const Diagnostics& why);
+    bool race();
+    bool refine();
 
     const SourceSet& sources_;
     const QuickOptions options_;
     const double start_s_;
     ViewMeter meter_;
+    enum class Stage { begin, first_look, truth, race, kin, pixels };
+    Stage stage_ = Stage::begin;
     std::size_t next_config_ = 0;  // of options_.configs
-    std::vector<Entrant> entrants_;
+    std::deque<Entrant> entrants_;
+    std::deque<Entrant> to_enter_;
+    std::deque<std::string> to_look_at_;                          // labels, at full size
+    std::size_t pixels_ = kFullPixels, looked_by_ = kFullPixels;  // of the truth
+    std::string looked_at_;                                       // its turns are due
     std::string leader_;
     FrameShares shares_;  // of the leader
     Diagnostics warnings_;

@@ -35,7 +35,7 @@ double below(double deviations) { return 0.5 * std::erfc(-deviations / std::sqrt
 /// The probability that what the range is of is at most `most`.
 double chanceBelow(const Range& range, double most)
 {
-    constexpr double kWidth = 2 * 1.96;  // of 95 %, in standard deviations
+    constexpr double kWidth = 2 * kConfidence;  // of 95 %, in standard deviations
     return below((most - range.value) / std::max(1e-12, (range.high - range.low) / kWidth));
 }
 

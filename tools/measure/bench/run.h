@@ -8,9 +8,8 @@
 
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/measure/bench/sample.h"
+#include "tools/measure/bench/drawn.h"
 #include "tools/measure/line_file.h"
-#include "tools/render/scene/scene.h"
 
 #include <set>
 
@@ -35,20 +34,6 @@ struct BenchOptions {
     int rays = 256;
     bool motion = false;       ///< Measure what changes along camera paths, too.
     std::string version = {};  ///< Of crevice; part of each key.
-};
-
-/// Whether its figures say most about what to take (docs/which_config.md), so that it is measured
-/// first. `reference`, which takes too long, is none.
-bool isPresetConfig(std::string_view config);
-
-/// What several samples look at.
-struct BenchView {
-    std::shared_ptr<const Scene> scene;
-    Bounds bounds;
-    SceneCamera camera;
-    Extent extent;
-
-    Camera matrices() const;
 };
 
 /// One sample that is to be measured.

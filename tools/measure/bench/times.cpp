@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Times of frames, and what a bench makes of them.
-//
-// What is compared takes turns, so that a slow moment of the machine falls on all of it. A turn
-// lasts for a while and counts with the median of its frames, since a single frame of a cheap pass
-// says little; a ratio is the median over the ratios turn by turn, in which slow moments cancel.
-// They do not against a copy of a texture, which was the unit once: that waits for memory where an
-// effect computes, and a neighbour on the machine slowed one by 60 % and the other by 3 %.
-//
-// Source: McGill et al. 1978 - how well a median is known.
-#include "tools/measure/bench/measure.h"
+#include "tools/measure/bench/times.h"
+
+#include "tools/commands/cli/load_config.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +12,9 @@ namespace {
 constexpr int kTimingAttempts = 10;
 
 /// About as long as the scheduler lets another process run. Shorter turns make ratios of cheap
-/// passes restless, longer ones only cost time.
+/// passes restless, longer ones only cost time. A GPU's timer knows of no scheduler.
 constexpr double kTurnMs = 40.0;
-constexpr std::size_t kTurnFrames = 64;
+constexpr std::size_t kTurnFrames = 64, kTurnFramesOfGpu = 8;
 
 /// The half width of a median's interval of 95 % confidence is this times the interquartile range
 /// over the root of the count (McGill et al. 1978, its factor 1.57).
@@ -76,12 +69,18 @@ TimeFigures timeFigures(std::vector<double> values)
     return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)};
 }
 
-TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<double>& units)
+std::vector<double> ratiosOf(const std::vector<double>& costs, const std::vector<double>& units)
 {
     std::vector<double> ratios;
-    for (auto cost = costs.rbegin(), unit = units.rbegin();
-         cost != costs.rend() && unit != units.rend(); ++cost, ++unit)
-        if (*unit > 0.0) ratios.push_back(*cost / *unit);
+    const std::size_t count = std::min(costs.size(), units.size());
+    for (std::size_t i = count; i > 0; --i)
+        if (units.end()[-i] > 0.0) ratios.push_back(costs.end()[-i] / units.end()[-i]);
+    return ratios;
+}
+
+TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<double>& units)
+{
+    std::vector<double> ratios = ratiosOf(costs, units);
     return ratios.empty() ? TimeFigures() : timeFigures(std::move(ratios));
 }
 
@@ -92,28 +91,58 @@ double medianMargin(const TimeFigures& figures, std::size_t count)
            std::sqrt(static_cast<double>(count));
 }
 
-Status TurnTaker::takeTurn()
+bool TurnTaker::add(FrameTimes times)
 {
+    if (!std::exchange(warm_, true)) return false;
+    frames_.push_back(std::move(times));
+    const std::size_t count = frames_.size() - turn_begin_;
+    const bool by_gpu = frames_.back().method == TimingMethod::gpu_timer;
+    double elapsed_ms = 0;
+    for (std::size_t i = turn_begin_; i < frames_.size(); ++i) elapsed_ms += frames_[i].total_ms;
+    if (elapsed_ms < kTurnMs && count < (by_gpu ? kTurnFramesOfGpu : kTurnFrames)) return false;
     std::vector<double> costs, with_geometry;
-    for (double elapsed_ms = 0;
-         costs.empty() || (elapsed_ms < kTurnMs && costs.size() < kTurnFrames);) {
-        Result<FrameTimes> times = timeFrame(*renderer_, *frame_);
-        if (!times) return times.diagnostics();
-        costs.push_back(occlusionCost(renderer_->plan(), *times));
-        with_geometry.push_back(costWithGeometry(renderer_->plan(), *times, own_geometry_));
-        elapsed_ms += times->total_ms;
-        frames_.push_back(std::move(*times));
+    for (; turn_begin_ < frames_.size(); ++turn_begin_) {
+        const FrameTimes& frame = frames_[turn_begin_];
+        costs.push_back(occlusionCost(renderer_->plan(), frame));
+        with_geometry.push_back(costWithGeometry(renderer_->plan(), frame, own_geometry_));
     }
     costs_.push_back(timeFigures(std::move(costs)).median);
     costs_with_geometry_.push_back(timeFigures(std::move(with_geometry)).median);
+    return true;
+}
+
+TurnTaker* Turns::next() const
+{
+    if (taken_ >= most_ || (taken_ >= least_ && settled_)) return nullptr;
+    return is_units_ ? unit_ : &taker_;
+}
+
+void Turns::add(FrameTimes times)
+{
+    if (!next()->add(std::move(times))) return;
+    if (unit_ && !std::exchange(is_units_, !is_units_)) return;
+    ++taken_;
+    const TimeFigures figures =
+        unit_ && !ratios().empty() ? timeFigures(ratios()) : timeFigures(taker_.costs());
+    settled_ = medianMargin(figures, taker_.costs().size()) <= kSettledMargin;
+}
+
+Status Turns::take(const std::function<bool()>& interrupted,
+                   const std::function<Status(const TurnTaker&)>& before)
+{
+    while (TurnTaker* taker = interrupted() ? nullptr : next()) {
+        if (before)
+            if (const Status ready = before(*taker); !ready) return ready;
+        Result<FrameTimes> times = timeFrame(taker->renderer(), taker->frame());
+        if (!times) return times.diagnostics();
+        add(std::move(*times));
+    }
     return {};
 }
 
-void TurnTaker::restart()
+std::vector<double> Turns::ratios() const
 {
-    frames_.clear();
-    costs_.clear();
-    costs_with_geometry_.clear();
+    return unit_ ? ratiosOf(taker_.costs(), unit_->costs()) : std::vector<double>();
 }
 
 Yardstick::Yardstick(Device& device, const SourceSet& sources, Extent extent, const Frame& frame,
@@ -126,16 +155,6 @@ Yardstick::Yardstick(Device& device, const SourceSet& sources, Extent extent, co
     if (!made || !(*made)->setParam("radius", static_cast<float>(radius))) return;
     renderer_ = std::move(*made);
     turns_.emplace(*renderer_, frame);
-}
-
-Status Yardstick::takeTurn()
-{
-    if (!turns_) return {};
-    if (!warm_)
-        if (const Status drawn = turns_->takeTurn(); !drawn) return drawn;
-    if (!warm_) turns_->restart();
-    warm_ = true;
-    return turns_->takeTurn();
 }
 
 }  // namespace crevice

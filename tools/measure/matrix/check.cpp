@@ -191,24 +191,12 @@ private:
         for (const Result<PreparedChoice>* each : {&own, &other})
             if (!*each) return each->diagnostics();
         TurnTaker turns(*own->renderer, own->frame), units(*other->renderer, other->frame);
-        const auto takeBoth = [&]() -> Status {
-            for (const auto& [prepared, taker] :
-                 {std::pair(&*own, &turns), std::pair(&*other, &units)})
-                for (const Status& done :
-                     {prepared->open->context->makeCurrent(), taker->takeTurn()})
-                    if (!done) return done;
-            return {};
-        };
-        if (const Status warm = takeBoth(); !warm) return warm;
-        turns.restart();
-        units.restart();
-        TimeFigures ratio;
-        for (int turn = 1; turn <= kMostPatience * kTurns && !interrupted(); ++turn) {
-            if (const Status taken = takeBoth(); !taken) return taken;
-            ratio = ratioFigures(turns.costs(), units.costs());
-            if (turn >= kTurns && medianMargin(ratio, turns.costs().size()) <= kSettledMargin)
-                break;
-        }
+        Turns both(turns, &units, kTurns, kMostPatience * kTurns);
+        const Status taken = both.take(interrupted, [&](const TurnTaker& next) {
+            return (&next == &turns ? own : other)->open->context->makeCurrent();
+        });
+        if (!taken) return taken;
+        const TimeFigures ratio = ratioFigures(turns.costs(), units.costs());
         judged(ratio.median > 0 && ratio.median <= check["most"],
                "takes " + significant(ratio.median, 3) + " times as long as '" +
                    cellName(plan_.matrix, other_choice) + "', at most " + shortest(check["most"]),

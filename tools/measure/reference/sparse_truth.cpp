@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "tools/measure/reference/sparse_truth.h"
 
-#include <atomic>
+#include "tools/measure/reference/processors.h"
+
 #include <cmath>
 #include <optional>
-#include <thread>
 
 namespace crevice {
 namespace {
 
-constexpr std::size_t kBlock = 512;  // places tried at once
-
-/// The standard deviations on either side that hold 95 %.
-constexpr double kConfidence = 1.96;
+constexpr int kBlock = 512;  // places tried at once
 
 // The k-th of a sequence that fills the picture evenly however long it is: multiples of powers of
 // the plastic number's inverse [Roberts 2018].
@@ -57,23 +54,15 @@ Status SparseTruth::grow(std::size_t pixels)
     const std::size_t all = std::size_t(extent.width) * extent.height;
     std::vector<std::optional<float>> block(kBlock);
     while (pixels_.size() < pixels && tried_ < all) {
-        std::atomic<std::size_t> next = 0;
-        const auto trace = [&] {
-            for (std::size_t i = next++; i < kBlock; i = next++) {
-                const glm::ivec2 place = placeOf(tried_ + i, extent);
-                ProbedPoint point;
-                block[i].reset();
-                if (!tracer_.probed(place.x, place.y, point)) continue;
-                const ProbeCount count = tracer_.countOpen(point, place.x, place.y, 0);
-                block[i] = count.over > 0 ? float(count.open) / float(count.over) : 1.0f;
-            }
-        };
-        std::vector<std::thread> helpers;
-        for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k)
-            helpers.emplace_back(trace);
-        trace();
-        for (std::thread& helper : helpers) helper.join();
-        for (std::size_t i = 0; i < kBlock; ++i, ++tried_) {
+        onProcessors(0, kBlock, [&](int i) {
+            const glm::ivec2 place = placeOf(tried_ + i, extent);
+            ProbedPoint point;
+            block[i].reset();
+            if (!tracer_.probed(place.x, place.y, point)) return;
+            const ProbeCount count = tracer_.countOpen(point, place.x, place.y, 0);
+            block[i] = count.over > 0 ? float(count.open) / float(count.over) : 1.0f;
+        });
+        for (int i = 0; i < kBlock; ++i, ++tried_) {
             const glm::ivec2 place = placeOf(tried_, extent);
             if (block[i]) pixels_.push_back({place.x, place.y, *block[i]});
         }

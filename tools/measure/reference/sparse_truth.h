@@ -12,6 +12,9 @@
 
 namespace crevice {
 
+/// The standard deviations on either side that hold 95 %.
+constexpr double kConfidence = 1.96;
+
 struct TruePixel {
     int x = 0, y = 0;
     float visibility = 1.0f;

@@ -237,15 +237,6 @@ Result<Image> decodeWebp(std::string_view bytes, const std::string& name, double
 
 }  // namespace
 
-Image withChannels(const Image& image, int channels)
-{
-    Image to(image.extent, channels, 1.0f);
-    for (std::size_t k = 0; k < to.pixels.size() / channels; ++k)
-        std::copy_n(&image.pixels[k * image.channels], std::min(image.channels, channels),
-                    &to.pixels[k * channels]);
-    return to;
-}
-
 std::string lowerExtension(const std::string& path)
 {
     return lowerCase(std::filesystem::path(path).extension().string());

@@ -43,9 +43,6 @@ std::string lowerExtension(const std::string& path);
 /// Errors: CV8001 for another extension, and those of the two above.
 Status writeImage(const std::string& path, const Image& image);
 
-/// With so many channels: the first ones, or 1 for those that it has not.
-Image withChannels(const Image& image, int channels);
-
 /// Any file that stb_image reads (PNG, JPEG, TGA, BMP ...) or WebP, with values from 0 to 1 as they
 /// were stored; or EXR, PFM or Radiance's .hdr, with light as it is. Channels are those of the
 /// file. Errors: CV7005 when it is missing, broken or of more than `most_pixels`.

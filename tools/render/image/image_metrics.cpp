@@ -225,4 +225,13 @@ Result<Image> differencePicture(const Image& test, const Image& ground_truth, co
     return picture;
 }
 
+Image withChannels(const Image& image, int channels)
+{
+    Image to(image.extent, channels, 1.0f);
+    for (std::size_t k = 0; k < to.pixels.size() / channels; ++k)
+        std::copy_n(&image.pixels[k * image.channels], std::min(image.channels, channels),
+                    &to.pixels[k * channels]);
+    return to;
+}
+
 }  // namespace crevice

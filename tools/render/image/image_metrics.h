@@ -43,4 +43,7 @@ Result<ImageDifference> compareImages(const Image& test, const Image& ground_tru
 Result<Image> differencePicture(const Image& test, const Image& ground_truth,
                                 const Image* mask = nullptr, double range = 0.25);
 
+/// With so many channels: the first ones, or 1 for those that it has not.
+Image withChannels(const Image& image, int channels);
+
 }  // namespace crevice

@@ -110,12 +110,4 @@ Result<SceneView> loadSceneView(const SceneOptions& options)
     return {SceneView{std::move(*scene), bounds, *camera, *extent}, scene.diagnostics()};
 }
 
-long long triangleCount(const Scene& scene)
-{
-    long long count = 0;
-    for (const SceneInstance& instance : scene.instances)
-        count += static_cast<long long>(scene.meshes[instance.mesh].indices.size() / 3);
-    return count;
-}
-
 }  // namespace crevice

@@ -41,9 +41,6 @@ struct SceneView {
 /// Errors: those of parseSize, loadScene and chooseCamera; a scene's warnings come with the view.
 Result<SceneView> loadSceneView(const SceneOptions& options);
 
-/// Triangles of all instances.
-long long triangleCount(const Scene& scene);
-
 /// Reads and tells a scene, as `crevice inspect` prints it; "left_out" are the warnings. Triangles,
 /// vertices and surfaces count at each place of their mesh. Connected surfaces are closed, sheets
 /// (closed without thickness) or open (sheetsOf). "unit" is what makes the diagonal that of a room

@@ -83,6 +83,14 @@ Bounds Scene::bounds() const
     return bounds;
 }
 
+long long triangleCount(const Scene& scene)
+{
+    long long count = 0;
+    for (const SceneInstance& instance : scene.instances)
+        count += static_cast<long long>(scene.meshes[instance.mesh].indices.size() / 3);
+    return count;
+}
+
 glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& bounds)
 {
     const double aspect =

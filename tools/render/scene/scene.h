@@ -170,4 +170,7 @@ Result<Scene> loadScene(const std::string& name_or_file, const ImportOptions& op
 /// ever, is an error.
 Result<Scene> importScene(const std::string& path, const ImportOptions& options = {});
 
+/// Triangles of all instances.
+long long triangleCount(const Scene& scene);
+
 }  // namespace crevice

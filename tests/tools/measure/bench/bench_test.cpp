@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Benches without GL: their samples, keys and figures, failures and what comes first.
 
+#include <crevice/recording_device.h>
+#include <crevice/shipped.h>
+
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/bench/fixture.h"
@@ -269,6 +272,46 @@ TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides 
     CHECK(ratio.q1 == 0.5);
     CHECK(ratioFigures({1, 2}, {0, 0}).median == 0.0);
     CHECK(ratioFigures({}, unit).median == 0.0);
+}
+
+TEST_CASE(
+    "Turns go on one after the other until the ratio is settled, and first frames do not count")
+{
+    RecordingDevice device;
+    const auto make = [&device] {
+        auto description = need(loadDescription({"learnopengl", {}, {}, {}}, shippedSources()));
+        return need(Renderer::create(device, std::move(description), {{8, 8}, {"ao"}}, {}));
+    };
+    const auto renderer = make(), other = make();
+    const Frame frame;
+    const auto took = [&](double ms) {
+        const std::size_t passes = renderer->plan().passes.size();
+        FrameTimes times{TimingMethod::processor_time, std::vector<double>(passes), ms, 1};
+        times.pass_ms.back() = ms;
+        return times;
+    };
+    const auto run = [&](double rest, int least) {
+        TurnTaker one(*renderer, frame), unit(*other, frame);
+        Turns turns(one, &unit, least, 5);
+        std::string order;
+        for (int k = 0; const TurnTaker* next = turns.next(); ++k) {
+            order += next == &one ? "a" : "u";
+            const bool restless = one.costs().size() % 2 == 1;
+            turns.add(took(k < 1 ? 9999 : (next == &one ? 50 : 100) * (restless ? rest : 1)));
+        }
+        return std::pair(order, turns.ratios());
+    };
+    CHECK(run(1, 2) == std::pair(std::string("aauuau"), std::vector<double>{0.5, 0.5}));
+    CHECK(run(2, 2).first == "aauuauauauau");  // never settled: five of each
+    CHECK(run(1, 3).second.size() == 3);
+
+    TurnTaker alone(*renderer, frame);
+    Turns turns(alone, nullptr, 1, 1);
+    CHECK(turns.take([] { return true; }).ok());
+    CHECK(alone.costs().empty());
+    for (const double ms : {9.0, 30.0, 12.0}) turns.add(took(ms));
+    CHECK(turns.next() == nullptr);
+    CHECK(alone.costs() == std::vector<double>{21});
 }
 
 TEST_CASE("A median is settled by more turns or by steadier ones")

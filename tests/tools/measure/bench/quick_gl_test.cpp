@@ -3,10 +3,13 @@
 #include "tools/measure/bench/quick.h"
 
 #include "tests/support/gl_fixture.h"
+#include "tools/commands/cli/load_config.h"
 #include "tools/render/image/image_metrics.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/camera_framing.h"
+
+#include <crevice/shipped.h>
 
 #include "core/base/text.h"
 
