@@ -266,6 +266,12 @@ test('Each tab shows what the engine says', async () => {
   assert.deepEqual(await words('#passes th'), passes);
   assert.deepEqual(await words('#turns th'), ['balanced', 'learnopengl']);
   assert.match((await words('#turns td'))[1], /^[\d.]+ of learnopengl \([\d.]+ to [\d.]+\)$/);
+  const [ao, sum] = await page.evaluate(() => {
+    const {ao_ms, passes} = crevice.app.timing.sides[0].runs[0];
+    const drawn = ['geometry', 'back_faces', 'lighting'];
+    return [ao_ms, passes.filter(({name}) => !drawn.includes(name)).reduce((sum, {ms}) => sum + ms, 0)];
+  });
+  assert(Math.abs(ao - sum) < 1e-6, `${ao} of ${sum} ms`);
   await page.select('#config-a', 'learnopengl');
   await page.waitForFunction(() => document.querySelector('#turns th').textContent === 'learnopengl');
   // A busy machine may shift all turns to one side.
@@ -282,6 +288,46 @@ test('Each tab shows what the engine says', async () => {
   const [knobs, params] = [await page.$$('[data-param]'), await page.evaluate(() => crevice.engine.state(0).params.length)];
   assert.equal(knobs.length, params);
   assert.match((await words('.command'))[0], /^crevice render balanced --scene corner --size 96x54 --out color=color.png/);
+  quiet(page);
+  await page.close();
+});
+
+test('Which config to take is measured here as the command measures it, can be stopped, and is used', async () => {
+  const page = await open('#config=balanced&scene=spheres&size=96x54&show=ao');
+  const words = selector => page.$$eval(selector, nodes => nodes.map(node => node.textContent));
+  await page.click('#tab-cost');
+  await page.type('#budget', 'soon');
+  await page.click('#measure-all');
+  await page.waitForFunction(() => document.querySelector('#message').textContent.includes("'soon'"));
+  await page.$eval('#budget', input => input.value = '100x');
+  await page.click('#measure-all');
+  await page.waitForFunction(() => document.querySelectorAll('#found tr').length > 1, {timeout: 120000});
+  assert.equal(await page.$eval('#measure-all', node => node.textContent), 'Stop');
+  await page.click('#measure-all');
+  await rest(page);
+  assert.equal(await page.$eval('#measure-all', node => node.textContent), 'Measure all');
+  const rows = await words('#found tr'), best = await words('#found th');
+  assert.equal(best.length, 1, String(rows));
+  for (const row of rows) assert.match(row, / ms0\.\d{4} ± 0\.\d{4}Use$/);
+  assert.match((await words('#choice-said'))[0], /^\d+ s: .*, error 0\.\d+ \(0\.\d+ to 0\.\d+\), /);
+
+  // The error of one of them is what the command says of the same view.
+  const row = rows.find(each => each.startsWith('mobile ')) ?? rows.find(each => each.startsWith('balanced ')) ?? rows[0];
+  const [, label, error, margin] = row.match(/^(?:➤ )?(.*?)(?: ★)?[\d.]+ ms([\d.]+) ± ([\d.]+)Use$/);
+  const [config, ...set] = label.split(' '), view = ['--scene', 'spheres', '--size', '96x54'];
+  const ao = join(work, 'found.pfm'), truth = join(work, 'found_truth.pfm');
+  await crevice('render', config, ...set.flatMap(each => ['--set', each]), ...view, '--frames', '32', '--out', `ao=${ao}`);
+  await crevice('reference', ...view, '--radius', '0.5', '--out', truth);
+  const {rmse} = JSON.parse(await crevice('compare', ao, truth, '--json'));
+  assert(Math.abs(rmse - error) <= Number(margin) + 0.005, `${row}: ${rmse}`);
+
+  // A setting beside a config becomes a config of its own.
+  const answer = await page.evaluate(() => crevice.engine.foundText(JSON.stringify({config: 'balanced', overrides: ['steps=4']})));
+  assert.deepEqual(JSON.parse(answer.text), {format: 1, extends: ['balanced'], params: {steps: 4}});
+  await page.click('#found button');
+  await rest(page);
+  assert(!(await page.$eval('#message', node => !node.hidden)));
+  page.heard = page.heard.filter(line => !line.includes('soon'));
   quiet(page);
   await page.close();
 });

@@ -5,6 +5,7 @@
 //
 // What is returned is good until the next call. An answer has "ok" and "diagnostics".
 #include "tools/show/page/engine/answers.h"
+#include "tools/show/page/engine/chooser.h"
 #include "tools/show/page/engine/slot.h"
 #include "tools/show/page/engine/stage.h"
 
@@ -31,7 +32,9 @@ struct {
     std::optional<Display> display;
     std::optional<Stage> stage;
     std::array<Slot, 4> slots;
-    Frame frame;  // of the last draw
+    Chooser chooser;
+    Frame frame;       // of the last draw
+    FrameTimes times;  // of what was timed last for the chooser
     Extent extent;
     std::string scene_bytes;
     Image read_image;
@@ -153,9 +156,18 @@ const char* methodOf(TimingMethod method)
     return names[static_cast<int>(method)];
 }
 
+/// The slot after all others: what is to be timed for the chooser.
+bool isChoosers(int slot) { return slot == static_cast<int>(engine.slots.size()); }
+
+Renderer& rendererOf(int slot)
+{
+    return isChoosers(slot) ? engine.chooser.due()->renderer() : engine.slots[slot].renderer();
+}
+
 Json timesJson(int slot, const FrameTimes& times)
 {
-    const Plan& plan = engine.slots[slot].renderer().plan();
+    if (isChoosers(slot)) engine.times = times;
+    const Plan& plan = rendererOf(slot).plan();
     Json json = {
         {"passes", Json::array()}, {"total_ms", times.total_ms}, {"by", methodOf(times.method)}};
     for (std::size_t i = 0; i < times.pass_ms.size(); ++i)
@@ -287,7 +299,8 @@ EXPORT const char* page_draw(const char* text)
 
 EXPORT const char* page_timed(int slot)
 {
-    const Result<FrameTimes> times = engine.slots[slot].renderer().renderTimed(engine.frame);
+    const Frame& frame = isChoosers(slot) ? engine.chooser.due()->frame() : engine.frame;
+    const Result<FrameTimes> times = rendererOf(slot).renderTimed(frame);
     Json json = answer(times);
     if (times) json.update(timesJson(slot, *times));
     return say(json);
@@ -295,23 +308,45 @@ EXPORT const char* page_timed(int slot)
 
 EXPORT const char* page_start_timing(int slot, int on)
 {
-    return say(answer(engine.slots[slot].renderer().setTiming(on != 0)));
+    return say(answer(rendererOf(slot).setTiming(on != 0)));
 }
 
 /// Draws every pass anew for the view that was drawn last, without a wait.
 EXPORT const char* page_again(int slot)
 {
-    ++engine.frame.revision;
-    return say(answer(engine.slots[slot].renderer().render(engine.frame)));
+    const auto revision = ++engine.frame.revision;
+    Frame frame = isChoosers(slot) ? engine.chooser.due()->frame() : engine.frame;
+    frame.revision = revision;
+    return say(answer(rendererOf(slot).render(frame)));
 }
 
 /// What the latest frames took that were measured without a wait; null before there are any.
 EXPORT const char* page_times(int slot)
 {
-    const FrameTimes* times =
-        engine.slots[slot].loaded() ? engine.slots[slot].renderer().times() : nullptr;
+    const bool loaded = isChoosers(slot) || engine.slots[slot].loaded();
+    const FrameTimes* times = loaded ? rendererOf(slot).times() : nullptr;
     return say(times ? timesJson(slot, *times) : Json(nullptr));
 }
+
+// ---- Which config to take
+
+/// {"camera", "budget", "error"}, of which the last two may lack.
+EXPORT const char* page_choose(const char* text)
+{
+    return say(answer(
+        engine.chooser.begin(*engine.device, *engine.stage, engine.extent, Json::parse(text))));
+}
+
+/// Adds "more", "due" (the slot after all others is to be timed next), "lines" and "found".
+EXPORT const char* page_choose_step() { return say(engine.chooser.step()); }
+
+/// As page_choose_step, once what was due is timed.
+EXPORT const char* page_choose_timed() { return say(engine.chooser.add(engine.times)); }
+
+/// Adds "text": a config that says what was found.
+EXPORT const char* page_found(const char* text) { return say(Chooser::textOf(Json::parse(text))); }
+
+// ---- Pixels
 
 /// Reads what a slot shows into page_pixels: {"extent", "channels", "format"}.
 EXPORT const char* page_read(int slot, const char* show)

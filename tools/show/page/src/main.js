@@ -2,6 +2,7 @@
 // The page: opens the engine, draws the first picture, and only then loads the editor.
 import {$, add} from "./dom.js";
 import {App} from "./app.js";
+import {makeChoice} from "./choice_panel.js";
 import {makeCosts, makePlan} from "./cost_panel.js";
 import {openEngine} from "./engine/engine.js";
 import {readLink} from "./link.js";
@@ -31,6 +32,7 @@ function build(app) {
   makePatch(app);
   makePlan(app);
   makeCosts(app);
+  makeChoice(app);
   makeSplit(app);
   new PictureInput(app, app.canvas);
   makeTabs(app);

@@ -13,10 +13,10 @@ const ROUNDS_MS = 1000;      // as fit in this time
 export const ms = x => `${x >= 1000 ? Math.round(x) : round(x, 3)} ms`;
 export const median = values => [...values].sort((a, b) => a - b)[values.length >> 1];
 
-/// Milliseconds of the passes that draw no geometry, up to the one that writes "ao": what a host with depth pays.
+/// Milliseconds of the passes that draw no geometry, up to the last that writes "ao": what a host with depth pays.
 export function occlusionMs(plan, passes) {
   const target = plan.outputs.find(output => output.name === "ao")?.target;
-  const last = plan.targets.find(each => each.name === target)?.first_pass ?? -1;
+  const last = plan.passes.map(pass => (pass.color ?? []).some(each => each.target === target)).lastIndexOf(true);
   return passes.reduce((sum, pass, i) => sum + (i <= last && plan.passes[i]?.type !== "draw" ? pass.ms : 0), 0);
 }
 

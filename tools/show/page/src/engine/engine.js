@@ -7,6 +7,7 @@ import displayConfig from './display.json';
 import displayShader from './display.frag';
 import createModule from './crevice_page.js';
 
+const CHOOSER = 4;       // the slot after all others: what is to be timed to choose by
 const TIMED_FRAMES = 60;  // within which a browser has the time of one on the GPU,
 const TIMED_MS = 3000;    // or within this time
 
@@ -44,7 +45,8 @@ class Engine {
       state: json('state', n),  // (slot), as the next three
       plan: json('plan', n),
       planText: bare('plan_text', s, n),
-      patch: json('patch', n)
+      patch: json('patch', n),
+      foundText: json('found', s)  // ({config, overrides} as JSON): {text}, a config that says them
     });
     this.calls = {
       open: json('open', s, s, s, n, n),
@@ -65,7 +67,10 @@ class Engine {
       times: json('times', n),
       read: json('read', n, s),
       pixels: bare('pixels', n),
-      compare: json('compare', n, n, n)
+      compare: json('compare', n, n, n),
+      choose: json('choose', s),
+      chooseStep: json('choose_step'),
+      chooseTimed: json('choose_timed')
     };
   }
 
@@ -148,6 +153,21 @@ class Engine {
     }
     this.calls.startTiming(slot, 0);
     return times ? {ok: true, diagnostics: [], ...times} : this.calls.timed(slot);
+  }
+
+  /// Measures which config to take as `crevice choose` does, for {camera, radius, budget: "2ms", error: 0.05}. Until that is done
+  /// or `stopped()`, it calls onChange({lines, found}) with what was said and, where that is new, all that was measured by rising
+  /// cost: [{label, config, overrides, ms, ratio, rmse, margin, front, within, best}].
+  async choose(wanted, onChange, stopped) {
+    let answer = this.calls.choose(JSON.stringify(wanted));
+    for (let more = answer.ok; more && !stopped(); more = answer.ok && answer.more) {
+      const timed = answer.due ? await this.timed(CHOOSER) : {ok: true};
+      if (!timed.ok) return timed;
+      answer = answer.due ? this.calls.chooseTimed() : this.calls.chooseStep();
+      if (answer.found || answer.lines?.length) onChange(answer);
+      await new Promise(next => setTimeout(next));
+    }
+    return answer;
   }
 
   // Until the GPU has drawn all that it was given: else slow machines would be given frame after frame meanwhile.
