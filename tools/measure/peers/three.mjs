@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// three.js's GTAOPass with its denoiser, SSAOPass and SAOPass with their blurs, as the passes set them up.
+// three.js's GTAOPass with its denoiser, SSAOPass and SAOPass with their blurs, and postprocessing's SSAOEffect, as they set
+// them up.
 import {Config} from "./config.mjs";
 
 export function makeThree(folder, lib) {
@@ -84,4 +85,29 @@ function makeSao(folder, lib) {
   });
   config.write();
   return "three_sao";
+}
+
+// Its reach is in pixels, too; what lies further away in depth than the radius fades out. The effect shows one less its ao.
+export function makePostprocessing(folder, {three, chunks, version, SSAOEffect}) {
+  const material = new SSAOEffect(new three.PerspectiveCamera(), new three.Texture()).ssaoPass.fullscreenMaterial;
+  const config = new Config(folder, "postprocessing_ssao", `postprocessing ${version}, SSAOEffect.`, "geometry/depth_normal", chunks);
+  const reach = `(${material.radius} * viewport_size.y)`;
+  Object.assign(material.defines, {RADIUS: reach, RADIUS_SQ: `(${reach} * ${reach})`});
+  config.target("ao", "r8");
+  config.pass("occlusion", material, ["ao"], {
+    samplers: {
+      depthBuffer: "depth", normalBuffer: "normal",
+      noiseTexture: config.noise("postprocessing_noise", material.uniforms.noiseTexture.value)
+    },
+    replace: [
+      ["unpackRGBToNormal(normalDepth.rgb)", "normalDepth.rgb"], ["gl_FragColor.r=ao;", "gl_FragColor.r=1.0-clamp(ao,0.0,1.0);"],
+      ["uniform vec2 cameraNearFar;\n#define cameraNear cameraNearFar.x\n#define cameraFar cameraNearFar.y",
+        "uniform float cameraNear;uniform float cameraFar;"],
+      ["uniform highp sampler2D normalDepthBuffer;", ""], ["uniform mediump sampler2D normalDepthBuffer;", ""],
+      ["varying vec2 vUv2;", ""], ["vUv2", "(vUv * viewport_size / 64.0)"]
+    ],
+    expressions: {texelSize: "(1.0 / viewport_size)", proximityCutoff: "(vec2(radius, 1.5 * radius) / (cameraFar - cameraNear))"}
+  });
+  config.write();
+  return "postprocessing_ssao";
 }

@@ -77,6 +77,7 @@ export function translate(material, chunks, bind, prefix, made) {
     text = text.replaceAll(from, to);
   }
   for (const [from, to] of Object.entries(bind.rename || {})) text = text.replace(new RegExp(`\\b${from}\\b`, "g"), to);
+  text = text.replace(/\buniform\b[^;]*;/g, "\n$&\n");  // what becomes a #define needs a line
   text = text.replace(/\baverage\b/g, "peer_average");  // an extension's function that glslang knows
   const expressions = {...CAMERA, ...bind.expressions};
   text = text.replace(
