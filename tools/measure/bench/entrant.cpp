@@ -180,7 +180,7 @@ void ViewMeter::finish()
     const std::vector<double> ratios = looking_->turns.ratios();
     seen.costs.insert(seen.costs.end(), taker.costs().begin(), taker.costs().end());
     seen.ratios.insert(seen.ratios.end(), ratios.begin(), ratios.end());
-    seen.unit = &looking_->picture.unit;
+    seen.unit = looking_->picture.unit.turns();
     if (!taker.frames().empty()) looking_->entrant.clock = taker.frames().back().method;
     looking_->entrant.drawn.rest();
     looking_.reset();

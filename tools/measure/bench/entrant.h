@@ -14,10 +14,10 @@ namespace crevice {
 /// What a config did in one picture.
 struct Look {
     SparseError error;
-    double with_flicker = 0;     ///< The rmse, and flickerOf() where that is measured.
-    std::vector<double> costs;   ///< As occlusionCost has them, of each turn.
-    std::vector<double> ratios;  ///< Of these over that of learnopengl; none without it.
-    const Yardstick* unit = nullptr;
+    double with_flicker = 0;          ///< The rmse, and flickerOf() where that is measured.
+    std::vector<double> costs;        ///< As occlusionCost has them, of each turn.
+    std::vector<double> ratios;       ///< Of these over that of learnopengl; none without it.
+    const TurnTaker* unit = nullptr;  ///< Of learnopengl.
 
     /// Of each turn: the ratios times the median of all turns of learnopengl, so that they compare
     /// with those of another moment; without it the costs.

@@ -141,13 +141,9 @@ public:
     /// Null where the device cannot draw it.
     TurnTaker* turns() { return turns_ ? &*turns_ : nullptr; }
 
-    /// The median of each turn.
-    const std::vector<double>& costs() const { return turns_ ? turns_->costs() : none_; }
-
 private:
     std::unique_ptr<Renderer> renderer_;
     std::optional<TurnTaker> turns_;
-    std::vector<double> none_;
 };
 
 }  // namespace crevice

@@ -49,8 +49,9 @@ Json Chooser::step()
 {
     const Result<bool> more = bench_->step();
     const bool ends = more && !*more;
-    Json json = ends ? answer(bench_->warnings()) : answer(more);
+    Json json = ends ? answer(leftOut()) : answer(more);
     json["more"] = more && !ends;
+    if (ends) bench_.reset();
     return state(std::move(json));
 }
 
@@ -67,6 +68,17 @@ Json Chooser::add(const FrameTimes& times)
         bench_->settle({});
     if (!bench_->turns()) json["found"] = found();
     return state(std::move(json));
+}
+
+/// What is not among what was found, and why.
+Diagnostics Chooser::leftOut() const
+{
+    Diagnostics all = bench_->warnings();
+    if (const auto known = findCandidates(bench_->samples(), {}))
+        for (const std::string& label : known->harmful)
+            all.push_back(asWarning(
+                {Code::out_of_range, label + " is left out: no better than no ambient occlusion"}));
+    return all;
 }
 
 Json Chooser::state(Json json)

@@ -33,6 +33,7 @@ public:
 private:
     Json state(Json json);
     Json found() const;
+    Diagnostics leftOut() const;
 
     BenchView view_;
     ChoiceLimits limits_;

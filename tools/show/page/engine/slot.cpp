@@ -8,8 +8,8 @@
 #include "core/config/field_types.h"
 #include "core/config/values.h"
 #include "core/json/merge.h"
+#include "tools/commands/cli/load_config.h"
 #include "tools/commands/cli/patch_text.h"
-#include "tools/commands/cli/scene_lengths.h"
 #include "tools/show/plan/print.h"
 
 #include <nlohmann/json.hpp>
@@ -23,13 +23,6 @@ using Json = nlohmann::json;
 namespace {
 
 std::string configPath(const std::string& name) { return "configs/" + name + ".json"; }
-
-Result<Description> describe(const SourceSet& sources, const LoadRequest& request)
-{
-    const Result<Node> document = loadConfig(sources, request);
-    if (!document) return document.diagnostics();
-    return decode(*document, sources, request.limits);
-}
 
 void collectFiles(const Node& node, std::set<std::string>& paths)
 {
@@ -171,7 +164,8 @@ Status Slot::load(Device& device, const SourceSet& sources, const SlotRequest& r
     shown_ = std::move(shown);
     files_ = files;
     variants_ = variantNames(sources, wanted);
-    Result<Description> shipped = describe(shippedSources(), wanted);
+    Result<Description> shipped =
+        loadDescription({request.config, request.variant, {}, {}}, shippedSources());
     shipped_ = shipped ? std::move(*shipped) : Description();
     append(diagnostics, back.diagnostics());
     return diagnostics;
