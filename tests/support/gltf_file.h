@@ -2,7 +2,9 @@
 // glTF files of a test's own making.
 #pragma once
 
+#include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
+#include "tools/render/scene/scene.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,6 +17,7 @@ struct GltfTestFile {
                            {"scenes", {{{"nodes", {0}}}}},
                            {"scene", 0}};
     std::string bytes = {};
+    std::string uri = "my%20data.bin";  ///< Of the bytes.
 
     GltfTestFile()
     {
@@ -55,13 +58,14 @@ struct GltfTestFile {
         return numbers(values, type, 5126);
     }
 
-    /// Writes scene.gltf and "my data.bin", and returns the former's path.
-    std::string write(const TemporaryFolder& folder, const std::string& before = "") const
+    /// Writes a file of that name and "my data.bin", and returns the former's path.
+    std::string write(const TemporaryFolder& folder, const std::string& name = "scene.gltf",
+                      const std::string& before = "") const
     {
         folder.write("my data.bin", bytes);
         nlohmann::json whole = json;
-        whole["buffers"][0] = {{"uri", "my%20data.bin"}, {"byteLength", bytes.size()}};
-        return folder.write("scene.gltf", before + whole.dump());
+        whole["buffers"][0] = {{"uri", uri}, {"byteLength", bytes.size()}};
+        return folder.write(name, before + whole.dump());
     }
 
     /// Writes scene.glb, and returns its path.
@@ -83,5 +87,25 @@ struct GltfTestFile {
                                 std::string("BIN\0", 4) + binary);
     }
 };
+
+inline Result<Scene> imported(const GltfTestFile& file, const ImportOptions& options = {})
+{
+    const TemporaryFolder folder("gltf_file");
+    return importScene(file.write(folder), options);
+}
+
+/// Without a word.
+inline Scene load(const GltfTestFile& file, const ImportOptions& options = {})
+{
+    const Result<Scene> scene = imported(file, options);
+    for (const Diagnostic& each : scene.diagnostics()) FAIL_CHECK(each.message);
+    return need(scene);
+}
+
+/// Of the first mesh that is drawn.
+inline const SceneMaterial& materialOf(const Scene& scene)
+{
+    return scene.materials[static_cast<std::size_t>(scene.instances[0].material)];
+}
 
 }  // namespace crevice

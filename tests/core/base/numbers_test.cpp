@@ -98,30 +98,11 @@ TEST_CASE("Numbers are read as <charconv> reads them")
             REQUIRE(parseNumber(text) == value);
         }
     }
-    for (const std::string_view text : {"1.",
-                                        "1.e5",
-                                        ".5",
-                                        ".",
-                                        "-",
-                                        ".e5",
-                                        "1e",
-                                        "1e+",
-                                        "1e-x",
-                                        "infx",
-                                        "-INFINITY",
-                                        "+1",
-                                        "0x10",
-                                        "000123",
-                                        "0.000e5",
-                                        "--1",
-                                        "1e5.5",
-                                        "",
-                                        "0e99999999999",
-                                        "9007199254740993",
-                                        "9007199254740992.99999999999999999999",
-                                        "2.4703282292062327e-324",
-                                        "2.4703282292062329e-324",
-                                        "1.7976931348623158e308"}) {
+    const char* const odd =
+        "1.|1.e5|.5|.|-|.e5|1e|1e+|1e-x|infx|-INFINITY|+1|0x10|000123|0.000e5|--1|1e5.5||"
+        "0e99999999999|9007199254740993|9007199254740992.99999999999999999999|"
+        "2.4703282292062327e-324|2.4703282292062329e-324|1.7976931348623158e308";
+    for (const std::string_view text : split(odd, '|')) {
         INFO(text);
         std::string_view ours = text, theirs = text;
         const std::optional<double> expected = standardTake(theirs);

@@ -4,7 +4,7 @@
 
 #include <crevice/config.h>
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 
 namespace crevice {
 
@@ -55,11 +55,9 @@ inline std::string configText(const Sections& replaced)
 
 inline Node parsed(const std::string& text)
 {
-    const auto source = std::make_shared<SourceText>(SourceText{"my.json", text, "my.json"});
-    const Result<Node> document = parseDocument(source);
-    INFO(text << toText(document.diagnostics()));
-    REQUIRE(document.ok());
-    return *document;
+    INFO(text);
+    return need(
+        parseDocument(std::make_shared<SourceText>(SourceText{"my.json", text, "my.json"})));
 }
 
 inline Result<Description> decodeWith(const Sections& replaced,

@@ -14,10 +14,8 @@ namespace {
 
 Description decoded(const Sections& replaced)
 {
-    const Result<Description> result = decodeWith(replaced);
-    INFO(configText(replaced) << toText(result.diagnostics()));
-    REQUIRE(result.ok());
-    return *result;
+    INFO(configText(replaced));
+    return need(decodeWith(replaced));
 }
 
 std::vector<std::string> keysOf(const Description& description)
@@ -186,11 +184,8 @@ TEST_CASE("a description carries each GLSL file that it names or includes", "[de
                                                       "geometry/a.surface.glsl",
                                                       "geometry/normal.glsl", "ssao/ao.frag"});
     for (const auto& [key, file] : result->files) CHECK(file->name == key);
-    const auto stage =  // which they are enough for
-        assembleStage(result->files, {{"surface", result->interfaces.at(0).file.name}},
-                      result->shaders.at(0).fragment.name, {});
-    INFO(toText(stage.diagnostics()));
-    CHECK(stage.ok());
+    need(assembleStage(result->files, {{"surface", result->interfaces.at(0).file.name}},
+                       result->shaders.at(0).fragment.name, {}));  // which they are enough for
 }
 
 TEST_CASE("files that include each other are read once", "[decode]")

@@ -4,7 +4,7 @@
 
 #include <crevice/config.h>
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 
 #include <algorithm>
 
@@ -38,10 +38,7 @@ inline MemorySources smallCatalog()
 
 inline Node loaded(const SourceSet& sources, const LoadRequest& request)
 {
-    Result<Node> document = loadConfig(sources, request);
-    INFO(toText(document.diagnostics()));
-    REQUIRE(document);
-    return std::move(*document);
+    return need(loadConfig(sources, request));
 }
 
 /// The value at "params/radius/default", or null.

@@ -12,10 +12,14 @@ namespace {
 
 Node valueOf(const std::string& text, const std::string& name = "text.json")
 {
-    Result<Node> value = parseValue(std::make_shared<SourceText>(SourceText{name, text}));
-    REQUIRE(value);
-    return std::move(*value);
+    return need(parseValue(std::make_shared<SourceText>(SourceText{name, text})));
 }
+
+struct Case {
+    const char* base;
+    const char* patch;
+    const char* result;
+};
 
 struct Merged {
     Node node;
@@ -35,11 +39,6 @@ Node overridden(const std::string& text) { return loaded(smallCatalog(), {"base"
 
 TEST_CASE("merging follows RFC 7396 where a patch makes sense")
 {
-    struct Case {
-        const char* base;
-        const char* patch;
-        const char* result;
-    };
     const Case kCases[] = {
         {R"({"a": "b"})", R"({"a": "c"})", R"({"a": "c"})"},
         {R"({"a": "b"})", R"({"b": "c"})", R"({"a": "b", "b": "c"})"},
@@ -91,36 +90,29 @@ TEST_CASE("an object has at most 1024 members, also when files are merged")
     CHECK(merged("{}", text(kMaxMembers, "a")).node.members.size() == kMaxMembers);
     CHECK(merged(text(kMaxMembers, "a"), text(2, "b")).errors.at(0).code == Code::too_many_members);
     const auto source = std::make_shared<SourceText>(SourceText{"m.json", text(1025, "a")});
-    const Result<Node> more = parseDocument(source);
-    REQUIRE(more.diagnostics().size() == 1);
-    CHECK(more.diagnostics()[0].code == Code::too_many_members);
+    onlyError(parseDocument(source), Code::too_many_members);
 }
 
 TEST_CASE("the patch between two documents is the smallest that makes one of the other")
 {
-    struct Case {
-        const char* base;
-        const char* now;
-        const char* patch;
-    };
     const Case kCases[] = {
-        {R"({"a": 1, "b": {"c": 2}})", R"({"b": {"c": 2.0}, "a": 1})", "{}"},
-        {R"({"a": 1, "b": {"c": 2, "d": 3}})", R"({"a": 1, "b": {"c": 2, "d": 4}})",
-         R"({"b":{"d":4}})"},
-        {R"({"a": {"b": 1}, "c": 1})", R"({"a": {}})", R"({"a":{"b":null},"c":null})"},
-        {R"({"a": [1, 2]})", R"({"a": [1, 3], "b": {"c": true}})", R"({"a":[1,3],"b":{"c":true}})"},
-        {R"({"a": "x"})", R"({"a": "y"})", R"({"a":"y"})"},
-        {R"({"a": true})", R"({"a": false})", R"({"a":false})"},
+        {R"({"a": 1, "b": {"c": 2}})", "{}", R"({"b": {"c": 2.0}, "a": 1})"},
+        {R"({"a": 1, "b": {"c": 2, "d": 3}})", R"({"b":{"d":4}})",
+         R"({"a": 1, "b": {"c": 2, "d": 4}})"},
+        {R"({"a": {"b": 1}, "c": 1})", R"({"a":{"b":null},"c":null})", R"({"a": {}})"},
+        {R"({"a": [1, 2]})", R"({"a":[1,3],"b":{"c":true}})", R"({"a": [1, 3], "b": {"c": true}})"},
+        {R"({"a": "x"})", R"({"a":"y"})", R"({"a": "y"})"},
+        {R"({"a": true})", R"({"a":false})", R"({"a": false})"},
     };
     for (const Case& one : kCases) {
-        INFO(one.base << " to " << one.now);
-        const Node patch = patchBetween(valueOf(one.base), valueOf(one.now));
+        INFO(one.base << " to " << one.result);
+        const Node patch = patchBetween(valueOf(one.base), valueOf(one.result));
         CHECK(toJson(patch) == toJson(valueOf(one.patch)));
         Node again = valueOf(one.base);
         Diagnostics errors;
         mergePatch(again, patch, errors);
         CHECK(errors.empty());
-        CHECK(patchBetween(again, valueOf(one.now)).members.empty());
+        CHECK(patchBetween(again, valueOf(one.result)).members.empty());
     }
 }
 

@@ -61,16 +61,12 @@ TEST_CASE("An examination counts what is not finite, and finds the first one")
     CHECK(health.first_bad.x == 2);
     CHECK(health.first_bad.y == 1);  // from the upper row
     CHECK(health.maximum[0] == Approx(1.1f));
-}
 
-TEST_CASE("A pixel that is wrong in two ways counts once")
-{
-    Image image(kSize, 2);
-    image.at(1, 1, 0) = std::numeric_limits<float>::infinity();
-    image.at(1, 1, 1) = std::numeric_limits<float>::quiet_NaN();
-    const TargetHealth health = examine(image, image);
-    CHECK(health.not_numbers == 1);
-    CHECK(health.infinite == 0);
+    Image both(kSize, 2);  // one pixel that is wrong in two ways counts once
+    both.at(1, 1, 0) = std::numeric_limits<float>::infinity();
+    both.at(1, 1, 1) = std::numeric_limits<float>::quiet_NaN();
+    CHECK(examine(both, both).not_numbers == 1);
+    CHECK(examine(both, both).infinite == 0);
 }
 
 TEST_CASE("Floats show what a format of 8 or 16 bits hides, and rounding is no fault")
@@ -144,9 +140,10 @@ TEST_CASE("The first pass that is wrong is named, and those behind it are notes"
     CHECK(said.notes[0].text.find("'third'") != std::string::npos);
 }
 
-TEST_CASE("What depends on poison is an error of the pass that left it")
+TEST_CASE("What depends on poison is an error of the pass that left it, what is healthy none")
 {
     TargetHealth first = healthy("x", "first");
+    CHECK(diagnose(chain(), planOf(chain()), {first, healthy("z", "third")}).empty());
     first.undefined = 12;
     const Diagnostic said = saidOf({first});
     CHECK(said.code == Code::target_undefined);
@@ -175,11 +172,4 @@ TEST_CASE("Occlusion that is the same everywhere is found beside the depth that 
     CHECK(saidOf({healthy("x", "first"), examined(packed, "y", "second"),
                   examined(grey, "z", "third")})
               .pointer == "/passes/third");
-}
-
-TEST_CASE("Nothing is said of a healthy frame")
-{
-    CHECK(diagnose(chain(), planOf(chain()),
-                   {healthy("x", "first"), healthy("y", "second"), healthy("z", "third")})
-              .empty());
 }

@@ -10,17 +10,12 @@ TEST_CASE("A folder of programs that cannot be made is an error, one that goes i
 {
     const TemporaryFolder folder("programs");
     const std::string file = folder.write("file", "no folder");
-    for (const std::string& path : {file, file + "/below"}) {
-        const auto none = ProgramFolder::open(path);
-        REQUIRE(none.diagnostics().size() == 1);
-        CHECK(none.diagnostics()[0].code == Code::cannot_write);
-    }
+    for (const std::string& path : {file, file + "/below"})
+        onlyError(ProgramFolder::open(path), Code::cannot_write);
     const auto programs = need(ProgramFolder::open((folder.path / "goes").string()));
     std::filesystem::remove_all(folder.path / "goes");
     const ProgramCache cache = programs->cache();
     for (const char* key : {"a", "b"}) cache.store(key, {1});
-    REQUIRE(programs->warnings().size() == 1);
-    CHECK(programs->warnings()[0].code == Code::cannot_write);
-    CHECK(programs->warnings()[0].severity == Severity::warning);
+    onlyWarning(programs->warnings(), Code::cannot_write);
     CHECK(cache.load("a").empty());
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What glTF files of strangers have: packed and moved geometry, colours, holes, and what is not
 // read.
+#include "core/base/text.h"
 #include "tests/support/gltf_file.h"
-#include "tests/support/need.h"
-#include "tools/render/scene/scene.h"
 
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
@@ -18,27 +17,9 @@ namespace {
 
 using Strings = std::vector<std::string>;
 
-Result<Scene> imported(const GltfTestFile& file, const ImportOptions& options = {})
-{
-    const TemporaryFolder folder("gltf_reader");
-    return importScene(file.write(folder), options);
-}
-
-/// Without a word.
-Scene load(const GltfTestFile& file, const ImportOptions& options = {})
-{
-    const Result<Scene> scene = imported(file, options);
-    for (const Diagnostic& each : scene.diagnostics()) FAIL_CHECK(each.message);
-    return need(scene);
-}
-
 std::string warningOf(const GltfTestFile& file)
 {
-    const Result<Scene> scene = imported(file);
-    REQUIRE(scene.ok());
-    REQUIRE(scene.diagnostics().size() == 1);
-    CHECK(scene.diagnostics()[0].code == Code::scene_features);
-    return scene.diagnostics()[0].message;
+    return onlyWarning(imported(file), Code::scene_features).message;
 }
 
 void checkBox(const Scene& scene, const glm::dvec3& min, const glm::dvec3& max)
@@ -46,11 +27,6 @@ void checkBox(const Scene& scene, const glm::dvec3& min, const glm::dvec3& max)
     const Bounds box = scene.bounds();
     CHECK(glm::distance(box.min, min) < 1e-4);
     CHECK(glm::distance(box.max, max) < 1e-4);
-}
-
-bool has(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
 }
 
 // One picture element, which is an own file's.
@@ -83,7 +59,8 @@ TEST_CASE("a byte order mark, a URI with %20 and bytes to spare are read")
     const TemporaryFolder folder("gltf_mark");
     GltfTestFile file;
     file.bytes += "spare";
-    checkBox(need(importScene(file.write(folder, "\xef\xbb\xbf"))), {0, 0, 0}, {1, 1, 0});
+    checkBox(need(importScene(file.write(folder, "scene.gltf", "\xef\xbb\xbf"))), {0, 0, 0},
+             {1, 1, 0});
 }
 
 TEST_CASE("positions in bytes, sparse ones, strips and fans are where the file says")
@@ -279,8 +256,7 @@ TEST_CASE("colours of vertices run straight between the corners of each triangle
     GltfTestFile same;
     same.primitive()["attributes"]["COLOR_0"] =
         same.numbers<std::uint8_t>(std::vector<std::uint8_t>(16, 51), "VEC4", 5121, true);
-    const Scene plain = load(same);
-    CHECK(plain.materials[std::size_t(plain.instances[0].material)].base_color.r == Approx(0.2));
+    CHECK(materialOf(load(same)).base_color.r == Approx(0.2));
 }
 
 TEST_CASE("what is seen through is set apart, unless it is cut out, solid, or all there is")
@@ -324,8 +300,7 @@ TEST_CASE("what metallic-roughness lighting shows of a material, glTF gives with
         GltfTestFile file;
         file.primitive()["material"] = 0;
         file.json["materials"] = json::array({material});
-        const Scene scene = load(file);
-        return scene.materials[std::size_t(scene.instances[0].material)];
+        return materialOf(load(file));
     };
     const SceneMaterial plain = read({{"name", "plain"}});
     CHECK(plain.metallic == 1);
@@ -404,11 +379,10 @@ TEST_CASE(
                                             {"ACME_anvil", "export the scene without it"}}) {
         GltfTestFile file;
         file.json["extensionsRequired"] = {"KHR_mesh_quantization", required};
-        const Result<Scene> scene = imported(file);
-        REQUIRE_FALSE(scene.ok());
-        CHECK(has(scene.diagnostics()[0].message, required));
-        CHECK_FALSE(has(scene.diagnostics()[0].message, "quantization"));
-        CHECK(has(scene.diagnostics()[0].help, way_out));
+        const Diagnostic error = onlyError(imported(file), Code::scene_broken);
+        CHECK(has(error.message, required));
+        CHECK_FALSE(has(error.message, "quantization"));
+        CHECK(has(error.help, way_out));
     }
     GltfTestFile older;
     older.json["asset"]["version"] = "1.0";
@@ -417,21 +391,18 @@ TEST_CASE(
 
 TEST_CASE("accessors that read past what there is are errors that name them")
 {
-    const auto message = [](const char* members) {
+    const std::pair<const char*, const char*> rows[] = {
+        {R"({"bufferViews": [{"buffer": 0, "byteLength": 40},
+             {"buffer": 0, "byteOffset": 48, "byteLength": 12}]})",
+         "bufferView 0 is shorter"},
+        {R"({"bufferViews": [{"buffer": 0, "byteLength": 4000},
+             {"buffer": 0, "byteOffset": 48, "byteLength": 12}]})",
+         "bufferView 0 reaches past"},
+        {R"({"meshes": [{"primitives": [{"attributes": {"POSITION": 7}}]}]})", "accessor 7"},
+        {R"({"nodes": [{"mesh": 5}]})", "node 0"}};
+    for (const auto& [members, named] : rows) {
         GltfTestFile file;
         file.json.merge_patch(json::parse(members));
-        const Result<Scene> scene = imported(file);
-        REQUIRE_FALSE(scene.ok());
-        CHECK(scene.diagnostics()[0].code == Code::scene_broken);
-        return scene.diagnostics()[0].message;
-    };
-    CHECK(has(message(R"({"bufferViews": [{"buffer": 0, "byteLength": 40},
-        {"buffer": 0, "byteOffset": 48, "byteLength": 12}]})"),
-              "bufferView 0 is shorter"));
-    CHECK(has(message(R"({"bufferViews": [{"buffer": 0, "byteLength": 4000},
-        {"buffer": 0, "byteOffset": 48, "byteLength": 12}]})"),
-              "bufferView 0 reaches past"));
-    CHECK(has(message(R"({"meshes": [{"primitives": [{"attributes": {"POSITION": 7}}]}]})"),
-              "accessor 7"));
-    CHECK(has(message(R"({"nodes": [{"mesh": 5}]})"), "node 0"));
+        CHECK(has(onlyError(imported(file), Code::scene_broken).message, named));
+    }
 }
