@@ -116,9 +116,14 @@ inline Description rigDescription(bool remembers = false)
     return describe(config, rigSources(remembering));
 }
 
-/// A device with a mesh, a frame with a draw, a material and a light, and a renderer for them.
+/// A device with a mesh, a frame with a draw, a material and a light, and a renderer for them. The
+/// test fails where the device was misused.
 struct Rig {
     explicit Rig(bool remembering = false) : remembers(remembering) {}
+    ~Rig()
+    {
+        for (const std::string& each : device.misuse()) FAIL_CHECK(each);
+    }
 
     bool remembers;
     RecordingDevice device;

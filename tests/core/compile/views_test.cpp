@@ -91,7 +91,6 @@ TEST_CASE("Two views are drawn one after the other, each as a frame of its camer
           passesAlone(rig.frame.camera) + passesAlone(rig.frame.other_views[0].camera));
     CHECK(passesAlone(rig.frame.camera) != passesAlone(rig.frame.other_views[0].camera));
     CHECK(occurrences(log, "beginFrame") == 1);
-    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("Each view remembers its own last frame")
@@ -126,7 +125,6 @@ TEST_CASE("Each view remembers its own last frame")
     rig.draw();
     CHECK(rig.renderer->output("ao").value == first);
     CHECK(rig.renderer->output("ao", 1).value == first_right);
-    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("A view has its own textures for imports, and the frame's for the others")
@@ -148,35 +146,23 @@ TEST_CASE("A view has its own textures for imports, and the frame's for the othe
 
 TEST_CASE("A frame with a view that no shader could draw is refused")
 {
-    StereoRig rig;
-    rig.draw();
-    Camera& camera = rig.frame.other_views[0].camera;
-    std::string what;
-    SECTION("not finite")
-    {
-        camera.view_from_world[3][0] = INFINITY;
-        what = "view 1's view_from_world is not finite";
+    const std::pair<void (*)(Camera & camera, Camera & view), const char*> rows[] = {
+        {[](Camera&, Camera& view) { view.view_from_world[3][0] = INFINITY; },
+         "view 1's view_from_world is not finite"},
+        {[](Camera&, Camera& view) { view.clip_from_view = glm::mat4(0.0f); },
+         "view 1's clip_from_view has no inverse"},
+        {[](Camera&, Camera& view) { view.clip_from_view = glm::mat4(1.0f); },
+         "view 1 is orthographic, and the camera is not"},
+        {[](Camera& camera, Camera&) { camera.clip_from_view = glm::mat4(1.0f); },
+         "view 1 is not orthographic, and the camera is"}};
+    for (const auto& [change, what] : rows) {
+        StereoRig rig;
+        rig.draw();
+        change(rig.frame.camera, rig.frame.other_views[0].camera);
+        const Diagnostic error = onlyError(rig.renderer->render(rig.frame), Code::bad_input);
+        CHECK(error.message == what);
+        CHECK_FALSE(error.help.empty());
     }
-    SECTION("flat")
-    {
-        camera.clip_from_view = glm::mat4(0.0f);
-        what = "view 1's clip_from_view has no inverse";
-    }
-    SECTION("of another kind")
-    {
-        camera.clip_from_view = glm::mat4(1.0f);
-        what = "view 1 is orthographic, and the camera is not";
-    }
-    SECTION("of another kind, the other way round")
-    {
-        rig.frame.camera.clip_from_view = glm::mat4(1.0f);
-        what = "view 1 is not orthographic, and the camera is";
-    }
-    const Status status = rig.renderer->render(rig.frame);
-    REQUIRE(codeOf(status) == Code::bad_input);
-    CHECK(status.diagnostics().size() == 1);
-    CHECK(status.diagnostics().front().message == what);
-    CHECK_FALSE(status.diagnostics().front().help.empty());
 }
 
 TEST_CASE("Views share what ends with them, and each keeps its outputs and histories")

@@ -154,60 +154,37 @@ TEST_CASE("A projection that shears the picture keeps the nearest right angles")
 
 TEST_CASE("Traits come from the materials that something draws")
 {
+    const struct {
+        void (*change)(Material&);
+        bool SceneTraits::*trait;
+        bool holds;
+    } rows[] = {
+        {[](Material& m) { m.alpha_cutoff = 0.5f; }, &SceneTraits::alpha_tested, true},
+        {[](Material& m) {
+             m.specular = {0, 0, 0.1f};
+         },
+         &SceneTraits::specular, true},
+        {[](Material& m) { m.base_color_map = TextureId{7}; }, &SceneTraits::textured, true},
+        {[](Material& m) { m.normal_map = TextureId{7}; }, &SceneTraits::normal_mapped, true},
+        {[](Material& m) { m.occlusion_map = TextureId{7}; }, &SceneTraits::baked_occlusion, true},
+        {[](Material& m) { m.ambient = 0.99f; }, &SceneTraits::material_ambient, true},
+        {[](Material& m) { m.ambient = 2.0f; }, &SceneTraits::material_ambient, false},
+    };
+    const SceneTraits none = traitsOf(Frame{});
     Frame frame;
-    Material material;
-    SECTION("alpha test")
-    {
-        material.alpha_cutoff = 0.5f;
-        frame.materials = {Material{}, material};
-        frame.draws = {DrawItem{}};
-        CHECK_FALSE(traitsOf(frame).alpha_tested);
+    frame.draws = {DrawItem{}};
+    for (const int material : {0, 1, -3}) {  // the latter are not there
+        frame.draws[0].material = material;
+        CHECK(traitsOf(frame) == none);
+    }
+    for (const auto& [change, trait, holds] : rows) {
+        frame.materials = {Material{}, Material{}};
+        change(frame.materials[1]);
+        frame.draws[0].material = 0;
+        CHECK(traitsOf(frame) == none);
         frame.draws[0].material = 1;
-        CHECK(traitsOf(frame).alpha_tested);
-    }
-    SECTION("highlights, of any colour")
-    {
-        material.specular = {0, 0, 0.1f};
-        frame.materials = {material};
-        CHECK_FALSE(traitsOf(frame).specular);
-        frame.draws = {DrawItem{}};
-        CHECK(traitsOf(frame).specular);
-    }
-    SECTION("textures")
-    {
-        material.base_color_map = TextureId{7};
-        frame.materials = {material};
-        frame.draws = {DrawItem{}};
-        CHECK(traitsOf(frame).textured);
-    }
-    SECTION("normal maps and baked occlusion")
-    {
-        material.normal_map = TextureId{7};
-        frame.materials = {material, Material{}};
-        frame.draws = {DrawItem{}};
-        CHECK(traitsOf(frame).normal_mapped);
-        CHECK_FALSE(traitsOf(frame).baked_occlusion);
-        CHECK_FALSE(traitsOf(frame) == traitsOf(Frame{}));
-        frame.materials[0] = Material{};
-        frame.materials[0].occlusion_map = TextureId{7};
-        CHECK(traitsOf(frame).baked_occlusion);
-        CHECK_FALSE(traitsOf(frame).normal_mapped);
-    }
-    SECTION("materials that reflect less of the ambient light")
-    {
-        material.ambient = 2.0f;
-        frame.materials = {material};
-        frame.draws = {DrawItem{}};
-        CHECK_FALSE(traitsOf(frame).material_ambient);
-        frame.materials[0].ambient = 0.99f;
-        CHECK(traitsOf(frame).material_ambient);
-        CHECK_FALSE(traitsOf(frame) == traitsOf(Frame{}));
-    }
-    SECTION("a material that is not there counts for nothing")
-    {
-        frame.draws = {DrawItem{}};
-        frame.draws[0].material = -3;
-        CHECK(traitsOf(frame) == traitsOf(Frame{}));
+        CHECK(traitsOf(frame).*trait == holds);
+        CHECK((traitsOf(frame) == none) == !holds);
     }
 }
 

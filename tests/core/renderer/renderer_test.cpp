@@ -3,6 +3,7 @@
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
+#include "core/base/text.h"
 #include "tests/support/renderer_rig.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -21,7 +22,6 @@ TEST_CASE("A frame runs the plan's passes in order, and nothing about it is wron
         places.push_back(log.find("beginPass " + std::string(pass)));
     CHECK(std::is_sorted(places.begin(), places.end()));
     CHECK(places.back() != std::string::npos);
-    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("Outputs have textures with content, other names have none")
@@ -31,7 +31,6 @@ TEST_CASE("Outputs have textures with content, other names have none")
     CHECK(rig.device.readTexture(rig.renderer->output("ao"))->extent == Extent{64, 32});
     CHECK(rig.device.readTexture(rig.renderer->output("color"))->channels == 4);
     CHECK_FALSE(rig.renderer->output("normal"));
-    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("A uniform param is sent with the next frame and costs no object")
@@ -49,7 +48,6 @@ TEST_CASE("A uniform param is sent with the next frame and costs no object")
     CHECK(rig.device.lastUniform("taps") == std::vector<float>{7.0f});
     CHECK(rig.device.lastUniform("tint") == std::vector<float>{0.1f, 0.2f, 0.3f});
     CHECK(rig.device.attempts() == attempts);
-    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("A param that cannot be set says why and keeps its value")
@@ -74,8 +72,7 @@ TEST_CASE("A param that cannot be set says why and keeps its value")
     CHECK(error.message == "radius -0.5 is outside [0.001, 100] scene units");
     CHECK(error.pointer == "/params/radius");
     CHECK(error.place.line > 0);
-    CHECK(renderer.setParam("radious", 1.0f).diagnostics().front().help.find("radius") !=
-          std::string::npos);
+    CHECK(has(onlyError(renderer.setParam("radious", 1), Code::unknown_param).help, "radius"));
 }
 
 TEST_CASE("A param compiles the programs and makes the textures that depend on it, and no others")
@@ -102,7 +99,6 @@ TEST_CASE("A param compiles the programs and makes the textures that depend on i
         CHECK(rig.logged("createTexture " + std::string(each.texture)));
         rig.draw();
         CHECK(rig.device.lastUniform("kernel").size() == 3u * (program == "occlusion" ? 16 : 4));
-        CHECK(rig.device.misuse().empty());
     }
 }
 
@@ -121,7 +117,6 @@ TEST_CASE("At its no-op value a pass is left out, and comes back with another va
     const int attempts = rig.device.attempts();
     REQUIRE(rig.renderer->setParam("intensity", 2.0f).ok());
     CHECK(rig.device.attempts() == attempts);
-    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("A feature switches its pass off, and the bypass stands in")
@@ -132,7 +127,6 @@ TEST_CASE("A feature switches its pass off, and the bypass stands in")
     CHECK_FALSE(rig.ranPass("filter"));
     CHECK(rig.logged("setTexture smooth_ao unit"));
     CHECK(rig.device.readTexture(rig.renderer->output("ao"))->extent == Extent{32, 16});
-    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("A new size gives new textures, a size that cannot be leaves the old ones")
@@ -150,7 +144,6 @@ TEST_CASE("A new size gives new textures, a size that cannot be leaves the old o
     CHECK(rig.renderer->plan().extent == Extent{20, 11});
     CHECK(rig.renderer->output("ao").value == before.value);
     rig.draw();
-    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("A frame with other traits is planned again, once")
@@ -164,7 +157,6 @@ TEST_CASE("A frame with other traits is planned again, once")
     const int after = rig.device.attempts();
     rig.draw();
     CHECK(rig.device.attempts() == after);
-    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("A camera whose range needs more bits has positions stored in wider formats")
@@ -207,24 +199,17 @@ TEST_CASE("The warnings of a plan that a frame asks for come back with that fram
     CHECK((*renderer)->render(rig.frame).diagnostics().empty());
     rig.frame.materials[0].specular = glm::vec3(1.0f);
     const Status drawn = (*renderer)->render(rig.frame);
-    CHECK(drawn.ok());
-    REQUIRE(drawn.diagnostics().size() == 1);
-    CHECK(drawn.diagnostics()[0].code == Code::dead_pass);
-    CHECK(drawn.diagnostics()[0].pointer == "/passes/sheen");
+    CHECK(onlyWarning(drawn, Code::dead_pass).pointer == "/passes/sheen");
     CHECK((*renderer)->render(rig.frame).diagnostics().empty());
     rig.frame.materials[0].specular = glm::vec3(0.0f);
     CHECK((*renderer)->render(rig.frame).diagnostics().empty());
     rig.frame.materials[0].specular = glm::vec3(1.0f);
-    const Result<FrameTimes> timed = (*renderer)->renderTimed(rig.frame);
-    REQUIRE(timed.ok());
-    CHECK(timed.diagnostics().size() == 1);
+    onlyWarning((*renderer)->renderTimed(rig.frame), Code::dead_pass);
 }
 
 TEST_CASE("What a plan cannot be made of is no renderer")
 {
     RecordingDevice device;
-    const auto none = Renderer::create(device, rigDescription(), {{0, 0}}, {});
-    REQUIRE_FALSE(none.ok());
-    CHECK(none.diagnostics().front().code == Code::bad_size);
+    onlyError(Renderer::create(device, rigDescription(), {{0, 0}}, {}), Code::bad_size);
     CHECK(device.attempts() == 0);
 }
