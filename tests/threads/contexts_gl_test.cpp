@@ -17,113 +17,76 @@ using namespace crevice;
 
 namespace {
 
-// A context of the host's own that shares textures with another.
-class SharedContext {
-public:
-    /// Shares with the context that is current, of that backend ("egl" or "osmesa"), and leaves it
-    /// current. Null where the backend's library gives none.
-    static std::unique_ptr<SharedContext> make(const std::string& backend);
-
-    virtual ~SharedContext() = default;
-
-    /// Makes it current on this thread; false where that fails.
-    virtual bool makeCurrent() = 0;
-};
-
 /// Displays, configs and contexts: no header of EGL or OSMesa is needed, which may be missing.
 using Handle = void*;
 
-/// A function of a library that is loaded already.
+/// A function of the backend's library, which is loaded already.
 template <class Function>
-Function* find(const char* library, const char* name)
+Function* find(const char* name)
 {
-    void* handle = dlopen(library, RTLD_LAZY);
-    return handle ? reinterpret_cast<Function*>(dlsym(handle, name)) : nullptr;
+    const char* const library = testBackend() == "osmesa" ? "libOSMesa.so.8" : "libEGL.so.1";
+    return reinterpret_cast<Function*>(dlsym(dlopen(library, RTLD_LAZY), name));
 }
 
-template <class Function>
-Function* egl(const char* name)
-{
-    return find<Function>("libEGL.so.1", name);
-}
-
-template <class Function>
-Function* osmesa(const char* name)
-{
-    return find<Function>("libOSMesa.so.8", name);
-}
-
-class SharedEgl final : public SharedContext {
+/// A context of the host's own that shares textures with the one that is current.
+class SharedContext {
 public:
-    SharedEgl() : display_(egl<Handle()>("eglGetCurrentDisplay")())
+    SharedContext()
     {
-        constexpr int kNone = 0x3038, kConfigId = 0x3028, kMajorVersion = 0x3098;
-        const Handle other = egl<Handle()>("eglGetCurrentContext")();
-        int config_id = 0, count = 0;
-        egl<unsigned(Handle, Handle, int, int*)>("eglQueryContext")(display_, other, kConfigId,
-                                                                    &config_id);
-        const int wanted[] = {kConfigId, config_id, kNone};
-        Handle config = nullptr;
-        egl<unsigned(Handle, const int*, Handle*, int, int*)>("eglChooseConfig")(
-            display_, wanted, &config, 1, &count);
-        const int attributes[] = {kMajorVersion, 3, kNone};
-        handle_ = egl<Handle(Handle, Handle, Handle, const int*)>("eglCreateContext")(
-            display_, config, other, attributes);
+        osmesa_ ? makeOsmesa() : makeEgl();
+        REQUIRE(handle_);
     }
-    ~SharedEgl() override { egl<unsigned(Handle, Handle)>("eglDestroyContext")(display_, handle_); }
-
-    bool there() const { return handle_ != nullptr; }
-    bool makeCurrent() override
+    ~SharedContext()
     {
-        const auto call = egl<unsigned(Handle, Handle, Handle, Handle)>("eglMakeCurrent");
-        return call(display_, nullptr, nullptr, handle_) == 1;
+        if (osmesa_)
+            find<void(Handle)>("OSMesaDestroyContext")(handle_);
+        else
+            find<unsigned(Handle, Handle)>("eglDestroyContext")(display_, handle_);
+    }
+
+    /// Makes it current on this thread; false where that fails.
+    bool makeCurrent()
+    {
+        constexpr unsigned kUnsignedByte = 0x1401;
+        if (osmesa_)
+            return find<unsigned char(Handle, void*, unsigned, int, int)>("OSMesaMakeCurrent")(
+                       handle_, pixel_, kUnsignedByte, 1, 1) == 1;
+        return find<unsigned(Handle, Handle, Handle, Handle)>("eglMakeCurrent")(
+                   display_, nullptr, nullptr, handle_) == 1;
     }
 
 private:
-    Handle display_;
-    Handle handle_ = nullptr;
-};
+    void makeEgl()
+    {
+        constexpr int kNone = 0x3038, kConfigId = 0x3028, kMajorVersion = 0x3098;
+        display_ = find<Handle()>("eglGetCurrentDisplay")();
+        const Handle other = find<Handle()>("eglGetCurrentContext")();
+        int config_id = 0, count = 0;
+        find<unsigned(Handle, Handle, int, int*)>("eglQueryContext")(display_, other, kConfigId,
+                                                                     &config_id);
+        const int wanted[] = {kConfigId, config_id, kNone};
+        Handle config = nullptr;
+        find<unsigned(Handle, const int*, Handle*, int, int*)>("eglChooseConfig")(
+            display_, wanted, &config, 1, &count);
+        const int attributes[] = {kMajorVersion, 3, kNone};
+        handle_ = find<Handle(Handle, Handle, Handle, const int*)>("eglCreateContext")(
+            display_, config, other, attributes);
+    }
 
-class SharedOsmesa final : public SharedContext {
-public:
-    SharedOsmesa()
+    void makeOsmesa()
     {
         constexpr int kFormat = 0x22, kRgba = 0x1908, kProfile = 0x33, kCore = 0x34;
         constexpr int kMajorVersion = 0x36, kMinorVersion = 0x37;
         const int attributes[] = {kFormat, kRgba,         kProfile, kCore, kMajorVersion,
                                   4,       kMinorVersion, 5,        0};
-        const Handle other = osmesa<Handle()>("OSMesaGetCurrentContext")();
-        handle_ =
-            osmesa<Handle(const int*, Handle)>("OSMesaCreateContextAttribs")(attributes, other);
-    }
-    ~SharedOsmesa() override { osmesa<void(Handle)>("OSMesaDestroyContext")(handle_); }
-
-    bool there() const { return handle_ != nullptr; }
-    bool makeCurrent() override
-    {
-        constexpr unsigned kUnsignedByte = 0x1401;
-        const auto call =
-            osmesa<unsigned char(Handle, void*, unsigned, int, int)>("OSMesaMakeCurrent");
-        return call(handle_, pixel_, kUnsignedByte, 1, 1) == 1;
+        handle_ = find<Handle(const int*, Handle)>("OSMesaCreateContextAttribs")(
+            attributes, find<Handle()>("OSMesaGetCurrentContext")());
     }
 
-private:
-    Handle handle_ = nullptr;
+    const bool osmesa_ = testBackend() == "osmesa";
+    Handle display_ = nullptr, handle_ = nullptr;
     unsigned char pixel_[4] = {};  // OSMesa wants a framebuffer
 };
-
-template <class Kind>
-std::unique_ptr<SharedContext> made()
-{
-    auto context = std::make_unique<Kind>();
-    return context->there() ? std::unique_ptr<SharedContext>(std::move(context)) : nullptr;
-}
-
-std::unique_ptr<SharedContext> SharedContext::make(const std::string& backend)
-{
-    if (backend == "osmesa") return made<SharedOsmesa>();
-    return backend == "egl" ? made<SharedEgl>() : nullptr;
-}
 
 constexpr Extent kExtent = {64, 36};
 constexpr int kFrames = 3;
@@ -256,17 +219,16 @@ TEST_CASE("Effects in two contexts that share textures draw one depth, and each 
     const Pixels wanted = alone(kGtao, 8);
     GlFixture host;
     GLuint depth = makeDepth(host.gl, 8);
-    const auto shared = SharedContext::make(testBackend());
-    REQUIRE(shared);
+    SharedContext shared;
     Effect first = need(makeEffect(*host.device, kGtao, depth));
-    REQUIRE(shared->makeCurrent());
+    REQUIRE(shared.makeCurrent());
     auto other = need(makeGlDevice(testContext().loader()));
     {
         Effect second = need(makeEffect(*other, kGtao, depth));
         for (int frame = 0; frame < kFrames; ++frame) {
             need(testContext().makeCurrent());
             CHECK((need(draw(*host.device, first)) == wanted));
-            REQUIRE(shared->makeCurrent());
+            REQUIRE(shared.makeCurrent());
             CHECK((need(draw(*other, second)) == wanted));
         }
         HostTexture ao;
@@ -288,11 +250,10 @@ TEST_CASE("Two threads, each with one of two contexts that share, draw one depth
     const Pixels wanted = alone(kBalanced, 8);
     GlFixture host;
     GLuint depth = makeDepth(host.gl, 8);
-    const auto shared = SharedContext::make(testBackend());
-    REQUIRE(shared);
+    SharedContext shared;
     Result<Pixels> theirs = Pixels();
     std::thread thread([&] {
-        if (!shared->makeCurrent()) return;
+        if (!shared.makeCurrent()) return;
         const auto device = makeGlDevice(testContext().loader());
         theirs = device ? drawFrames(**device, kBalanced, depth) : device.diagnostics();
     });
