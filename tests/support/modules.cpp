@@ -96,10 +96,8 @@ std::vector<Module> modulesBelow(const std::string& folder, Chosen&& chosen)
         if (!json || path.rfind(folder + "/", 0) != 0) continue;
         const std::string name = path.substr(0, path.size() - 5);
         const GivenConfig config({name});
-        const Result<Node> document = loadConfig(config.sources(), {"given"});
-        INFO(toText(document.diagnostics()));
-        REQUIRE(document.ok());
-        if (chosen(*document)) modules.push_back(describe(name, *document));
+        const Node document = need(loadConfig(config.sources(), {"given"}));
+        if (chosen(document)) modules.push_back(describe(name, document));
     }
     return modules;
 }

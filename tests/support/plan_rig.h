@@ -5,6 +5,7 @@
 #include <crevice/compile.h>
 
 #include "core/base/text.h"
+#include "tests/support/need.h"
 #include "tests/support/test_config.h"
 #include "tools/show/plan/print.h"
 
@@ -95,9 +96,7 @@ inline Result<Plan> tryCompile(const Description& description, const SceneTraits
 inline Plan planOf(const Description& description, const SceneTraits& traits = {},
                    const CompileOptions& options = sized())
 {
-    Result<Plan> plan = compile(description, traits, ampleCaps(), options);
-    if (!plan) FAIL(toText(plan.diagnostics()));
-    return std::move(*plan);
+    return need(compile(description, traits, ampleCaps(), options));
 }
 
 inline std::string passNames(const Plan& plan) { return joined(namesOf(plan.passes)); }
@@ -163,19 +162,6 @@ inline CompileOptions keeping(const std::string& optimization)
     CompileOptions options = sized();
     options.disable = {optimization};
     return options;
-}
-
-/// The only error of a description that must not compile.
-inline Diagnostic onlyError(const Description& description, const SceneTraits& traits = {},
-                            const DeviceCaps& caps = ampleCaps(),
-                            const CompileOptions& options = sized())
-{
-    const Result<Plan> plan = compile(description, traits, caps, options);
-    REQUIRE_FALSE(plan.ok());
-    INFO(toText(plan.diagnostics()));
-    REQUIRE(plan.diagnostics().size() == 1);
-    CHECK_FALSE(plan.diagnostics().front().message.empty());
-    return plan.diagnostics().front();
 }
 
 }  // namespace crevice

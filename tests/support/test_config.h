@@ -4,7 +4,7 @@
 
 #include <crevice/config.h>
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 
 namespace crevice {
 
@@ -26,12 +26,9 @@ inline Description describe(const std::string& json, const std::vector<TestFile>
 {
     MemorySources sources;
     for (const TestFile& file : files) sources.add(file.path, file.text);
-    const Result<Node> document =
-        parseDocument(std::make_shared<const SourceText>(SourceText{"test.json", json}));
-    if (!document) FAIL(toText(document.diagnostics()));
-    Result<Description> description = decode(asModule(*document), sources);
-    if (!description) FAIL(toText(description.diagnostics()));
-    return std::move(*description);
+    const Node document =
+        need(parseDocument(std::make_shared<const SourceText>(SourceText{"test.json", json})));
+    return need(decode(asModule(document), sources));
 }
 
 /// The first diagnostic of that code, or null.

@@ -8,7 +8,7 @@
 
 #include "core/base/text.h"
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 
 #include <filesystem>
@@ -187,9 +187,8 @@ TEST_CASE("diagnostics as JSON have every key and can be read back")
     diagnostic.pointer = "/a";
     diagnostic.notes = {{{}, "note"}};
     const std::string json = "{\"list\": " + toJson({diagnostic, diagnostic}) + "}";
-    const Result<Node> read = parseDocument(textOf(json));
-    REQUIRE(read);
-    const Node* list = read->find("list");
+    const Node read = need(parseDocument(textOf(json)));
+    const Node* list = read.find("list");
     REQUIRE(list->items.size() == 2);
     const Node& first = list->items[0];
     CHECK(first.find("code")->text == "CV2103");

@@ -80,13 +80,9 @@ TEST_CASE("A pass that no output needs is left out with a warning, unless that w
 {
     const Description description = describe(Sketch{{"a: -> x", "b: -> y"}, {{"out", "x"}}});
     const Result<Plan> plan = tryCompile(description);
-    REQUIRE(plan.ok());
+    CHECK(onlyWarning(plan, Code::dead_pass).pointer == "/passes/b");
     CHECK(passNames(*plan) == "a");
     CHECK_THAT(leftOut(*plan, "pass b"), Catch::StartsWith("dead_pass: "));
-    REQUIRE(plan.diagnostics().size() == 1);
-    CHECK(plan.diagnostics()[0].code == Code::dead_pass);
-    CHECK(plan.diagnostics()[0].severity == Severity::warning);
-    CHECK(plan.diagnostics()[0].pointer == "/passes/b");
     CHECK(passNames(planOf(description, {}, keeping("dead_pass"))) == "a, b");
 
     CompileOptions one = sized();
@@ -111,7 +107,7 @@ TEST_CASE("An output on request is drawn, with what it alone needs, where it is 
     CHECK(passNames(planOf(exporting(R"({"target": "z"})"))) == "a, b, c");
     Description all = description;
     for (OutputDesc& output : all.outputs) output.on_request = true;
-    CHECK(onlyError(all).code == Code::no_outputs);
+    onlyError(tryCompile(all), Code::no_outputs);
 }
 
 TEST_CASE("A condition holds where each of its terms does")

@@ -27,12 +27,10 @@ Description described(const Setup& setup, const SourceSet& sources = shippedSour
     ConfigOptions options;
     options.config = setup.config;
     options.overrides = setup.overrides;
-    Result<Description> description = loadDescription(options, sources);
-    INFO(toText(description.diagnostics()));
-    REQUIRE(description.ok());
-    for (TargetDesc& target : description->targets)
+    Description description = need(loadDescription(options, sources));
+    for (TargetDesc& target : description.targets)
         if (target.name == "depth" && !setup.depth.empty()) target.formats = setup.depth;
-    return std::move(*description);
+    return description;
 }
 
 Setup depthIn(std::vector<Format> formats, double near_distance, double far_distance = 20)
@@ -160,8 +158,7 @@ TEST_CASE("A host that reverses its float depth needs no warning")
     CHECK(warnings(plan("depth32f", true)) == 0);
     const Result<Plan> straight = plan("depth32f", false);
     REQUIRE(warnings(straight) == 1);
-    CHECK(findDiagnostic(straight.diagnostics(), Code::too_coarse)->help.find("reversed depth") !=
-          std::string::npos);
+    CHECK(has(findDiagnostic(straight.diagnostics(), Code::too_coarse)->help, "reversed depth"));
     CHECK(warnings(plan("depth24", true)) == 1);
 }
 
@@ -187,17 +184,16 @@ TEST_CASE("A radius set at run time plans again only where other formats serve i
     RecordingDevice device;
     Frame frame;
     frame.camera.clip_from_view = glm::mat4(glm::perspective(1.0, 1.5, 0.1, 20.0));
-    auto renderer =
-        Renderer::create(device, described({"learnopengl"}), {{960, 540}, {}, {}}, traitsOf(frame));
-    REQUIRE(renderer.ok());
-    const auto stored = [&] { return formatOf((*renderer)->plan(), "position"); };
+    auto renderer = need(Renderer::create(device, described({"learnopengl"}), {{960, 540}, {}, {}},
+                                          traitsOf(frame)));
+    const auto stored = [&] { return formatOf(renderer->plan(), "position"); };
     CHECK(stored() == Format::rgba16f);
     device.clearLog();
-    CHECK((*renderer)->setParam("radius", 0.4f).ok());
-    CHECK(device.log().find("createTexture") == std::string::npos);
-    CHECK((*renderer)->setParam("radius", 0.05f).ok());
+    CHECK(renderer->setParam("radius", 0.4f).ok());
+    CHECK_FALSE(has(device.log(), "createTexture"));
+    CHECK(renderer->setParam("radius", 0.05f).ok());
     CHECK(stored() == Format::rgba32f);
-    CHECK((*renderer)->setParam("radius", 0.5f).ok());
+    CHECK(renderer->setParam("radius", 0.5f).ok());
     CHECK(stored() == Format::rgba16f);
 }
 

@@ -178,14 +178,13 @@ TEST_CASE("a document of nothing but mistakes gets a hundred errors", "[decode]"
 
 TEST_CASE("a description carries each GLSL file that it names or includes", "[decode]")
 {
-    const auto result = decodeWith({});
-    REQUIRE(result.ok());
-    CHECK(keysOf(*result) == std::vector<std::string>{"common/fullscreen.vert", "common/view.glsl",
-                                                      "geometry/a.surface.glsl",
-                                                      "geometry/normal.glsl", "ssao/ao.frag"});
-    for (const auto& [key, file] : result->files) CHECK(file->name == key);
-    need(assembleStage(result->files, {{"surface", result->interfaces.at(0).file.name}},
-                       result->shaders.at(0).fragment.name, {}));  // which they are enough for
+    const auto result = need(decodeWith({}));
+    CHECK(keysOf(result) == std::vector<std::string>{"common/fullscreen.vert", "common/view.glsl",
+                                                     "geometry/a.surface.glsl",
+                                                     "geometry/normal.glsl", "ssao/ao.frag"});
+    for (const auto& [key, file] : result.files) CHECK(file->name == key);
+    need(assembleStage(result.files, {{"surface", result.interfaces.at(0).file.name}},
+                       result.shaders.at(0).fragment.name, {}));  // which they are enough for
 }
 
 TEST_CASE("files that include each other are read once", "[decode]")
@@ -193,9 +192,8 @@ TEST_CASE("files that include each other are read once", "[decode]")
     MemorySources sources = glslSources();
     sources.add("ssao/ao.frag", "#include \"ssao/ao.frag\"\n#include \"./b.glsl\"\n");
     sources.add("ssao/b.glsl", "#include \"./ao.frag\"\n");
-    const auto result = decodeWith({}, sources);
-    REQUIRE(result.ok());
-    CHECK(result->files.count("ssao/b.glsl") == 1);
+    const auto result = need(decodeWith({}, sources));
+    CHECK(result.files.count("ssao/b.glsl") == 1);
 }
 
 TEST_CASE("one name cannot stand for two objects that GLSL or an override would see", "[decode]")

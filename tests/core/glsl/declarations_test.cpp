@@ -3,7 +3,7 @@
 // Driver logs become diagnostics in the author's files.
 #include <crevice/glsl_stage.h>
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 
 #include <algorithm>
 
@@ -11,19 +11,20 @@ using namespace crevice;
 
 namespace {
 
+SourceRef textOf(const std::string& name, const std::string& text)
+{
+    return std::make_shared<SourceText>(SourceText{name, text});
+}
+
 Result<GlslStage> scan(const std::string& body, const GlslDefines& defines = {})
 {
-    const SourceRef source =
-        std::make_shared<SourceText>(SourceText{"main.frag", "#version 300 es\n" + body});
-    return assembleStage({{"main.frag", source}}, {}, "main.frag", defines);
+    return assembleStage({{"main.frag", textOf("main.frag", "#version 300 es\n" + body)}}, {},
+                         "main.frag", defines);
 }
 
 GlslStage stageOf(const std::string& body, const GlslDefines& defines = {})
 {
-    Result<GlslStage> stage = scan(body, defines);
-    INFO(toText(stage.diagnostics()));
-    REQUIRE(stage.ok());
-    return *stage;
+    return need(scan(body, defines));
 }
 
 /// "float radius, vec3 kernel[16]"
@@ -38,23 +39,15 @@ std::string uniformsOf(const std::string& body, const GlslDefines& defines = {})
     return all;
 }
 
-SourceRef textOf(const std::string& name, const std::string& text)
-{
-    return std::make_shared<SourceText>(SourceText{name, text});
-}
-
 /// Two files: what `main` includes is file 1.
 GlslStage twoFiles()
 {
     const std::string main =
         "#version 300 es\n#include \"b.glsl\"\nout float x;\nvoid main() {\n"
         "    /* why */ x = foo + foobar;   x = ;\n}\n";
-    Result<GlslStage> stage =
-        assembleStage({{"main", textOf("main.frag", main)},
-                       {"b.glsl", textOf("b.glsl", "\nfloat f() { return bar; }\n")}},
-                      {}, "main", {});
-    REQUIRE(stage.ok());
-    return *stage;
+    return need(assembleStage({{"main", textOf("main.frag", main)},
+                               {"b.glsl", textOf("b.glsl", "\nfloat f() { return bar; }\n")}},
+                              {}, "main", {}));
 }
 
 Diagnostics explain(const std::string& log)
@@ -65,10 +58,7 @@ Diagnostics explain(const std::string& log)
 /// The only diagnostic, as "file:line:column+length message".
 std::string only(const std::string& log)
 {
-    const Diagnostics diagnostics = explain(log);
-    REQUIRE(diagnostics.size() == 1);
-    const Diagnostic& one = diagnostics[0];
-    CHECK(one.code == Code::shader_compile);
+    const Diagnostic one = onlyError(explain(log), Code::shader_compile);
     return placeName(one.place) + "+" + std::to_string(one.place.length) + " " + one.message;
 }
 
@@ -199,12 +189,8 @@ TEST_CASE("an error in an included file is found there, whichever source string 
 TEST_CASE("a driver's warning stays a warning")
 {
     for (const char* log : {"0:5(16): warning: `foo' used uninitialized",
-                            "0(5) : warning C7050: \"foo\"", "WARNING: 0:5: 'foo' : unused"}) {
-        const Diagnostics diagnostics = explain(log);
-        REQUIRE(diagnostics.size() == 1);
-        CHECK(diagnostics[0].severity == Severity::warning);
-        CHECK(diagnostics[0].place.line == 5);
-    }
+                            "0(5) : warning C7050: \"foo\"", "WARNING: 0:5: 'foo' : unused"})
+        CHECK(onlyWarning(explain(log), Code::shader_compile).place.line == 5);
 }
 
 TEST_CASE("each message of a log is a diagnostic, and what Mesa indents belongs to the one before")

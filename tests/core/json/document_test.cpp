@@ -96,10 +96,9 @@ TEST_CASE("the text at a value's place is that value")
         const bool nested_value = value->kind >= Node::Kind::array;
         const std::string slice =
             text.substr(line + value->place.column - 1, nested_value ? 2 : value->place.length);
-        const Result<Node> again = parseValue(textOf(slice));
-        REQUIRE(again);
-        CHECK(again->kind == value->kind);
-        CHECK(brief(*again) == brief(*value));
+        const Node again = need(parseValue(textOf(slice)));
+        CHECK(again.kind == value->kind);
+        CHECK(brief(again) == brief(*value));
     }
 }
 

@@ -3,7 +3,7 @@
 // Trees of boxes: what they hold, how deep they are, and boxes that cannot be told apart.
 #include "tools/measure/reference/ray_scene.h"
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tests/tools/measure/reference/tracer_shot.h"
 #include "tools/measure/reference/bvh.h"
 #include "tools/render/scene/builtin_scenes.h"
@@ -164,9 +164,8 @@ TEST_CASE("both searches find the same in the built-in scenes")
         if (!scene) continue;  // the room's bunny is not everywhere
         INFO(name);
         const Bounds bounds = scene->bounds();
-        const auto camera = chooseCamera(*scene, bounds, "", 4.0 / 3.0);
-        REQUIRE(camera.ok());
-        checkAlike(*scene, {camera->view_from_world, clipFromView(*camera, kExtent, bounds)},
+        const auto camera = need(chooseCamera(*scene, bounds, "", 4.0 / 3.0));
+        checkAlike(*scene, {camera.view_from_world, clipFromView(camera, kExtent, bounds)},
                    {0.1, 1.0, 1e3});
     }
 }

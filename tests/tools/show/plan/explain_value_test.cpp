@@ -2,6 +2,7 @@
 // Finding a value by pointer, path or bare name, and telling who set it.
 #include "tests/support/catch.h"
 
+#include "core/base/text.h"
 #include "core/json/merge.h"
 #include "tests/support/need.h"
 #include "tools/show/plan/print.h"
@@ -12,9 +13,7 @@ namespace {
 
 Node parsed(const char* name, const char* text)
 {
-    auto node = parseDocument(std::make_shared<SourceText>(SourceText{name, text}));
-    REQUIRE(node);
-    return *node;
+    return need(parseDocument(std::make_shared<SourceText>(SourceText{name, text})));
 }
 
 /// base.json with patch.json over it: the radius was set in both.
@@ -41,10 +40,9 @@ TEST_CASE("a value is found by its pointer, by a dotted path and, for a default,
     const Node document = mergedDocument();
     for (const char* path : {"/params/radius/default", "params.radius.default", "radius"}) {
         INFO(path);
-        const auto value = findValue(document, path);
-        REQUIRE(value);
-        CHECK(value->pointer == "/params/radius/default");
-        CHECK(value->node->number == 0.25);
+        const auto value = need(findValue(document, path));
+        CHECK(value.pointer == "/params/radius/default");
+        CHECK(value.node->number == 0.25);
     }
     CHECK(need(findValue(document, "fade")).pointer == "/features/fade/default");
     CHECK(need(findValue(document, "/extends/1")).node->text == "b");
@@ -101,31 +99,21 @@ TEST_CASE("what is not there is reported with the keys that are")
         INFO(path);
         CHECK_FALSE(findValue(document, path));
     }
-    const auto wrong = findValue(document, "params.radus");
-    REQUIRE_FALSE(wrong);
-    CHECK(wrong.diagnostics().front().code == Code::reference_missing);
-    CHECK(wrong.diagnostics().front().pointer == "/params");
-    CHECK(wrong.diagnostics().front().help.find("did you mean 'radius'") != std::string::npos);
+    const Diagnostic wrong =
+        onlyError(findValue(document, "params.radus"), Code::reference_missing);
+    CHECK(wrong.pointer == "/params");
+    CHECK(wrong.help.find("did you mean 'radius'") != std::string::npos);
 }
 
-TEST_CASE("the places that set a value come newest first, each with its text")
+TEST_CASE("the places that set a value, or one in an object, come newest first with their texts")
 {
     const Node document = mergedDocument();
-    const auto value = findValue(document, "radius");
-    REQUIRE(value);
-    CHECK(explainText(*value) ==
-          "/params/radius/default is 0.25\n"
-          "  set by patch.json:2:26: 0.25\n"
-          "  before that by base.json:2:38: 1.5\n");
-}
-
-TEST_CASE("an object explains to every value in it, each with its places")
-{
-    const Node document = mergedDocument();
-    const auto value = findValue(document, "params");
-    REQUIRE(value);
-    CHECK(explainText(*value) == explainText(*findValue(document, "radius")));
-    CHECK(explainJson(*value).find("\"members\"") != std::string::npos);
+    for (const char* path : {"radius", "params"})
+        CHECK(explainText(need(findValue(document, path))) ==
+              "/params/radius/default is 0.25\n"
+              "  set by patch.json:2:26: 0.25\n"
+              "  before that by base.json:2:38: 1.5\n");
+    CHECK(has(explainJson(*findValue(document, "params")), "\"members\""));
 }
 
 TEST_CASE("what a patch deleted is reported with the place that deleted it")

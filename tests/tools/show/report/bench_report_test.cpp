@@ -3,7 +3,7 @@
 #include "tools/show/report/bench_report.h"
 
 #include "core/base/text.h"
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/bench/fixture.h"
 
@@ -29,9 +29,8 @@ std::vector<BenchSample> sweep()
 
 std::string page(const std::vector<BenchSample>& samples)
 {
-    const auto html = reportHtml(samples);
-    REQUIRE(html.ok());
-    return *html;
+    const auto html = need(reportHtml(samples));
+    return html;
 }
 
 }  // namespace
