@@ -24,6 +24,21 @@ namespace {
 constexpr int kPasses = 10;
 constexpr int kFrames = 5000;
 
+/// What fails ends the benchmark.
+void need(const Status& status)
+{
+    if (status) return;
+    std::fputs(toText(status.diagnostics()).c_str(), stderr);
+    std::exit(1);
+}
+
+template <class T>
+T need(Result<T> result)
+{
+    need(Status(result.diagnostics()));
+    return std::move(*result);
+}
+
 std::string join(const std::vector<std::string>& members)
 {
     std::string text;
@@ -32,7 +47,7 @@ std::string join(const std::vector<std::string>& members)
 }
 
 /// A chain of passes, each reading the one before it, with the uniforms of an occlusion shader.
-Result<Description> chain()
+Description chain()
 {
     MemorySources files;
     files.add("v", "#version 300 es\nvoid main() {}\n");
@@ -64,10 +79,9 @@ Result<Description> chain()
         "targets": )" + join(targets) +
                              R"(, "shaders": )" + join(shaders) + R"(, "passes": )" + join(passes) +
                              "}";
-    Result<Node> document =
-        parseDocument(std::make_shared<const SourceText>(SourceText{"chain.json", json}));
-    if (!document) return document.diagnostics();
-    return decode(*document, files);
+    const Node document =
+        need(parseDocument(std::make_shared<const SourceText>(SourceText{"chain.json", json})));
+    return need(decode(document, files));
 }
 
 double milliseconds(std::chrono::steady_clock::time_point begin)
@@ -183,7 +197,7 @@ Frame manyDraws(MeshId mesh)
 }
 
 /// Milliseconds a frame, the median of some in which the camera moves, so that all is drawn again.
-Result<double> drawFrames(Renderer& renderer, Frame& frame, RecordingDevice& log)
+double drawFrames(Renderer& renderer, Frame& frame, RecordingDevice& log)
 {
     constexpr int kMeasured = 300;
     std::vector<double> times_ms;
@@ -192,14 +206,14 @@ Result<double> drawFrames(Renderer& renderer, Frame& frame, RecordingDevice& log
         const double begin = processorMs();
         const Status status = renderer.render(frame);
         times_ms.push_back(processorMs() - begin);
-        if (!status) return status.diagnostics();
+        need(status);
         log.clearLog();
     }
     std::sort(times_ms.begin(), times_ms.end());
     return times_ms[kMeasured / 2];
 }
 
-Status printDraws(const char* config)
+void printDraws(const char* config)
 {
     RecordingDevice recording;
     IdleDevice device(recording);
@@ -207,27 +221,15 @@ Status printDraws(const char* config)
     desc.label = "box";
     desc.vertices.resize(36);
     for (std::uint32_t i = 0; i < 36; ++i) desc.indices.push_back(i);
-    const Result<MeshId> mesh = device.createMesh(desc);
-    if (!mesh) return mesh.diagnostics();
-    Frame frame = manyDraws(*mesh);
-    const Result<Node> document = loadConfig(shippedSources(), {config});
-    if (!document) return document.diagnostics();
-    Result<Description> description = decode(*document, shippedSources());
-    if (!description) return description.diagnostics();
-    auto renderer = Renderer::create(device, *description, {{1920, 1080}}, traitsOf(frame));
-    if (!renderer) return renderer.diagnostics();
+    Frame frame = manyDraws(need(device.createMesh(desc)));
+    const Description description =
+        need(decode(need(loadConfig(shippedSources(), {config})), shippedSources()));
+    const auto renderer =
+        need(Renderer::create(device, description, {{1920, 1080}}, traitsOf(frame)));
     const long calls = device.calls;
-    const Result<double> time_ms = drawFrames(**renderer, frame, recording);
-    if (!time_ms) return time_ms.diagnostics();
+    const double time_ms = drawFrames(*renderer, frame, recording);
     std::printf("%zu draws through %s: %.3f ms of CPU a frame, %ld calls\n", frame.draws.size(),
-                config, *time_ms, (device.calls - calls) / 300);
-    return {};
-}
-
-int fail(const Diagnostics& errors)
-{
-    std::fputs(toText(errors).c_str(), stderr);
-    return 1;
+                config, time_ms, (device.calls - calls) / 300);
 }
 
 }  // namespace
@@ -235,26 +237,22 @@ int fail(const Diagnostics& errors)
 int main()
 {
     RecordingDevice device;
-    const Result<Description> description = chain();
-    if (!description) return fail(description.diagnostics());
     const Frame frame;
-    auto renderer = Renderer::create(device, *description, {{1920, 1080}}, traitsOf(frame));
-    if (!renderer) return fail(renderer.diagnostics());
+    const auto renderer = need(Renderer::create(device, chain(), {{1920, 1080}}, traitsOf(frame)));
     std::vector<double> times_us;
     for (int i = 0; i < kFrames; ++i) {
         const auto begin = std::chrono::steady_clock::now();
-        const Status status = (*renderer)->render(frame);
+        const Status status = renderer->render(frame);
         const auto end = std::chrono::steady_clock::now();
-        if (!status) return fail(status.diagnostics());
+        need(status);
         device.clearLog();
         times_us.push_back(std::chrono::duration<double, std::micro>(end - begin).count());
     }
     std::sort(times_us.begin(), times_us.end());
     std::printf("%zu passes: median %.2f us of CPU a frame, 99th percentile %.2f us\n",
-                (*renderer)->plan().passes.size(), times_us[kFrames / 2],
+                renderer->plan().passes.size(), times_us[kFrames / 2],
                 times_us[kFrames * 99 / 100]);
-    for (const char* config : {"high", "mobile"})
-        if (Status status = printDraws(config); !status) return fail(status.diagnostics());
+    for (const char* config : {"high", "mobile"}) printDraws(config);
     printParsing();
     printPlanning();
 }

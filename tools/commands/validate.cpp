@@ -33,13 +33,11 @@ void check(const ValidateOptions& options, Extent extent, const SourceSet& sourc
            GlslCheck& shaders, const std::function<void(const Checked&)>& tell)
 {
     bool broken = false;
-    LoadRequest request = requestOf(options);
+    ConfigOptions config = options;
     const auto plan = [&](const std::string& variant) {
         if (broken) return;
-        request.variant = variant;
-        const Result<Node> document = loadConfig(sources, request);
-        const auto description = document ? decode(*document, sources, options.limits)
-                                          : Result<Description>(document.diagnostics());
+        config.variant = variant;
+        const auto description = loadDescription(config, sources);
         const Checked checked = {options.config, variant,
                                  planForEveryScene(description, variant, extent, shaders)};
         broken = variant.empty() && !checked.plan;
@@ -47,7 +45,7 @@ void check(const ValidateOptions& options, Extent extent, const SourceSet& sourc
     };
     plan(options.variant);
     if (options.variant.empty())
-        for (const std::string& variant : variantNames(sources, request)) plan(variant);
+        for (const std::string& variant : variantNames(sources, requestOf(options))) plan(variant);
 }
 
 /// What was said before, of the config or of another variant, is not said again.

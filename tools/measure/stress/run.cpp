@@ -24,16 +24,13 @@ namespace {
 
 Result<std::vector<const StressCase*>> chooseCases(const std::vector<std::string>& names)
 {
-    std::vector<const StressCase*> chosen;
-    std::vector<std::string> known;
-    for (const StressCase& each : stressCases()) {
-        known.push_back(each.name);
-        if (names.empty() || contains(names, each.name)) chosen.push_back(&each);
-    }
     for (const std::string& name : names)
-        if (!contains(known, name))
+        if (!findNamed(stressCases(), name))
             return Diagnostic{Code::usage, "there is no case '" + name + "'",
-                              suggestName(name, known, "cases")};
+                              suggestName(name, namesOf(stressCases()), "cases")};
+    std::vector<const StressCase*> chosen;
+    for (const StressCase& each : stressCases())
+        if (names.empty() || contains(names, each.name)) chosen.push_back(&each);
     return chosen;
 }
 

@@ -28,11 +28,7 @@ std::vector<StressTask> fewTasks()
 
 using Sentences = std::vector<std::string>;
 
-const StressCase& caseNamed(const std::string& name)
-{
-    return *std::find_if(stressCases().begin(), stressCases().end(),
-                         [&](const StressCase& each) { return each.name == name; });
-}
+const StressCase& caseNamed(const std::string& name) { return *findNamed(stressCases(), name); }
 
 struct Run {
     std::vector<StressRecord> records;
