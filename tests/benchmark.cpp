@@ -104,29 +104,14 @@ double fastest(F&& run)
     return least;
 }
 
-/// A text of as many bytes as are read at most, of `entry(0)`, `entry(1)` and so on.
-template <class Entry>
-void printParsing(const char* what, const char* open, Entry&& entry, const char* close)
-{
-    const auto source = std::make_shared<SourceText>(SourceText{"tiny.json", open});
-    std::string next = entry(0);
-    for (int i = 1; source->text.size() + next.size() + 4 < kMaxDocumentBytes; ++i) {
-        source->text += next;
-        next = std::string(",") + entry(i);
-    }
-    source->text += close;
-    const double time_ms = fastest([&] {
-        if (!parseDocument(source)) std::abort();
-    });
-    std::printf("1 MiB of JSON in %s: %.1f ms\n", what, time_ms);
-}
-
+/// A text of as many bytes as are read at most.
 void printParsing()
 {
-    const auto member = [](int i) { return '"' + std::to_string(i) + "\":0"; };
-    printParsing(
-        "half a million values", "{\"a\": [", [](int) { return "0"; }, "]}");
-    printParsing("a hundred thousand members", "{", member, "}");
+    const auto source = std::make_shared<SourceText>(SourceText{"tiny.json", "{\"a\": [0"});
+    while (source->text.size() + 4 < kMaxDocumentBytes) source->text += ",0";
+    source->text += "]}";
+    const double time_ms = fastest([&] { need(parseDocument(source)); });
+    std::printf("1 MiB of JSON in half a million values: %.1f ms\n", time_ms);
 }
 
 void printPlanning()
