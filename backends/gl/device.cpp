@@ -59,6 +59,7 @@ void GlDevice::deleteRetired()
     textures_.deleteRetired();
     meshes_.deleteRetired();
     programs_.deleteRetired();
+    timers_.deleteRetired();
 }
 
 Status GlDevice::prepare(const ProgramCache& program_cache)
@@ -72,8 +73,8 @@ Status GlDevice::prepare(const ProgramCache& program_cache)
     if (!copier) return copier.diagnostics();
     copier_ = std::move(*copier);
     makeSamplers();
-    if (!caps_.software) timers_ = GlTimers::make(gl_, info_);
-    caps_.timers = timers_.exist();
+    if (!caps_.software) timing_ = GlTimers::make(gl_, info_);
+    caps_.timers = timing_.exist();
     return takeErrors(gl_, "makeGlDevice");
 }
 
@@ -308,6 +309,7 @@ ObjectInfo GlDevice::info(ObjectId id) const
         return {};
     case ObjectId::Kind::program: return {programs_.find(id.value) != nullptr};
     case ObjectId::Kind::framebuffer: return {framebuffers_.find(id.value) != nullptr};
+    case ObjectId::Kind::timer: return {timers_.find(id.value) != nullptr};
     }
     return {};
 }
@@ -319,6 +321,7 @@ void GlDevice::destroy(ObjectId id)
     case ObjectId::Kind::mesh: meshes_.retire(id.value); break;
     case ObjectId::Kind::program: programs_.retire(id.value); break;
     case ObjectId::Kind::framebuffer: framebuffers_.retire(id.value); break;
+    case ObjectId::Kind::timer: return timers_.retire(id.value);  // many die at once
     }
     if (isCurrent()) deleteRetired();  // else before the next call that finds the context
 }

@@ -63,10 +63,11 @@ public:
     Status present(TextureId id, const HostFramebuffer& host) override;
     void finish() override { gl_.Finish(); }
     void abandon() { crevice::abandon(gl_); }
-    bool beginTimer(int slot) override { return timers_.begin(gl_, slot); }
-    void endTimer() override { timers_.end(gl_); }
-    bool timerReady(int slot) override { return timers_.isReady(gl_, slot); }
-    double readTimer(int slot) override { return timers_.read(gl_, slot); }
+    TimerId createTimer() override { return {caps_.timers ? timers_.add({}) : 0}; }
+    void beginTimer(TimerId id) override { timing_.begin(gl_, timers_.at(id.value)); }
+    void endTimer() override { timing_.end(gl_); }
+    bool timerReady(TimerId id) override { return timing_.isReady(gl_, timers_.at(id.value)); }
+    double readTimer(TimerId id) override { return timing_.read(gl_, timers_.at(id.value)); }
 
 private:
     struct TextureSlot {
@@ -170,12 +171,13 @@ private:
     GlProgramCache program_cache_;
     GlCopier copier_;
     GlSampler samplers_[2][2];
-    GlTimers timers_;
+    GlTimers timing_;
     GlReads reads_;
     GlPool<TextureSlot> textures_;
     GlPool<MeshSlot> meshes_;
     GlPool<GlLinkedProgram> programs_;
     GlPool<FramebufferSlot> framebuffers_;
+    GlPool<GlTimer> timers_;
     PassInfo pass_ = {};
     Diagnostics host_errors_;  // a warning of what the host left pending
     Diagnostics errors_;       // of this frame's passes

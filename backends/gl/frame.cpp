@@ -79,7 +79,7 @@ Status GlDevice::beginFrame()
         takeHostErrors();
     }
     if (Status status = state_.checkHost(); !status) return status;
-    timers_.beginFrame(gl_);
+    timing_.beginFrame(gl_);
     state_.enter();
     return {};
 }

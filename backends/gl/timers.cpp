@@ -24,34 +24,32 @@ void GlTimers::beginFrame(const GlApi& gl)
     host_measures_ = query != 0;
 }
 
-bool GlTimers::begin(const GlApi& gl, int slot)
+void GlTimers::begin(const GlApi& gl, GlTimer& timer)
 {
-    if (!exist_) return false;
-    while (queries_.size() < kMaxTimers) queries_.push_back(GlQuery::make(gl));
-    measured_[slot] = false;
-    if (host_measures_) return true;            // and the slot stays void
-    if (measured_.none()) voidIfDisturbed(gl);  // what happened before the first does not matter
-    measured_[slot] = true;
-    gl.BeginQuery(GL_TIME_ELAPSED_EXT, queries_[slot].name());
-    return true;
+    if (timer.query.name() == 0) timer.query = GlQuery::make(gl);
+    timer.measured = 0;
+    if (host_measures_) return;           // and the timer stays void
+    if (!measures_) voidIfDisturbed(gl);  // what happened before the first does not matter
+    measures_ = true;
+    timer.measured = disturbances_;
+    gl.BeginQuery(GL_TIME_ELAPSED_EXT, timer.query.name());
 }
 
-bool GlTimers::isReady(const GlApi& gl, int slot) const
+bool GlTimers::isReady(const GlApi& gl, const GlTimer& timer) const
 {
-    if (!measured_[slot]) return true;
+    if (timer.measured != disturbances_) return true;
     GLuint ready = GL_FALSE;
-    gl.GetQueryObjectuiv(queries_[slot].name(), GL_QUERY_RESULT_AVAILABLE, &ready);
+    gl.GetQueryObjectuiv(timer.query.name(), GL_QUERY_RESULT_AVAILABLE, &ready);
     return ready != GL_FALSE;
 }
 
-double GlTimers::read(const GlApi& gl, int slot)
+double GlTimers::read(const GlApi& gl, const GlTimer& timer)
 {
-    if (!waits_ && !isReady(gl, slot)) measured_[slot] = false;
-    if (!measured_[slot]) return -1;
+    if (timer.measured != disturbances_ || (!waits_ && !isReady(gl, timer))) return -1;
     GLuint64 nanoseconds = 0;
-    gl.GetQueryObjectui64v(queries_[slot].name(), GL_QUERY_RESULT, &nanoseconds);
+    gl.GetQueryObjectui64v(timer.query.name(), GL_QUERY_RESULT, &nanoseconds);
     voidIfDisturbed(gl);
-    return measured_[slot] ? static_cast<double>(nanoseconds) * 1e-6 : -1;
+    return timer.measured == disturbances_ ? static_cast<double>(nanoseconds) * 1e-6 : -1;
 }
 
 /// Whatever is measured and unread may have run while the GPU was disturbed; asking forgets that.
@@ -59,7 +57,9 @@ void GlTimers::voidIfDisturbed(const GlApi& gl)
 {
     GLint disjoint = 0;
     if (tells_disjoint_) gl.GetIntegerv(GL_GPU_DISJOINT_EXT, &disjoint);
-    if (disjoint != 0) measured_.reset();
+    if (disjoint == 0) return;
+    ++disturbances_;
+    measures_ = false;
 }
 
 }  // namespace crevice

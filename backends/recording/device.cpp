@@ -13,12 +13,6 @@ constexpr std::size_t kRecordCapacity = 1 << 13;
 constexpr std::size_t kWordCapacity = 1 << 17;
 constexpr std::size_t kPassCapacity = 1 << 8;
 
-const char* kindName(ObjectId::Kind kind)
-{
-    constexpr const char* kNames[] = {"texture", "mesh", "program", "framebuffer"};
-    return kNames[static_cast<int>(kind)];
-}
-
 void addUniforms(std::vector<UniformInfo>& all, const GlslStage& stage)
 {
     for (const GlslUniform& uniform : stage.uniforms) {
@@ -45,6 +39,12 @@ DeviceCaps generousCaps()
     constexpr std::uint32_t kTwoFourEight = 1u << 1 | 1u << 3 | 1u << 7;
     std::fill(std::begin(caps.sample_counts), std::end(caps.sample_counts), kTwoFourEight);
     return caps;
+}
+
+const char* RecordingDevice::kindName(ObjectId::Kind kind)
+{
+    constexpr const char* kNames[] = {"texture", "mesh", "program", "framebuffer", "timer"};
+    return kNames[static_cast<int>(kind)];
 }
 
 RecordingDevice::RecordingDevice(DeviceCaps caps) : caps_(std::move(caps))

@@ -15,6 +15,7 @@ Status RecordingDevice::beginFrame()
     if (Status status = checkContext("the frame"); !status) return status;
     if (in_frame_) blame("beginFrame inside a frame");
     in_frame_ = true;
+    timers_begun_ = 0;
     record(Call::begin_frame);
     return {};
 }
@@ -230,16 +231,19 @@ Status RecordingDevice::present(TextureId id, const HostFramebuffer& host)
 
 void RecordingDevice::finish() { record(Call::finish); }
 
-bool RecordingDevice::beginTimer(int slot)
+TimerId RecordingDevice::createTimer()
 {
-    record(Call::begin_timer, 0, {static_cast<std::uint32_t>(slot)});
+    return {caps_.timers ? add({ObjectId::Kind::timer, ""}, Call::create_timer) : 0};
+}
+
+void RecordingDevice::beginTimer(TimerId id)
+{
+    record(Call::begin_timer);
     if (!in_frame_ || in_timer_) blame("beginTimer outside a frame, or while a timer runs");
-    const bool known = slot >= 0 && slot < kMaxTimers;
-    if (!known) blame("beginTimer of a slot that is not there");
-    if (!known || timers_ms_.empty()) return false;
-    measured_[slot] = true;
+    Object* timer = find(id, "beginTimer");
+    if (!timer) return;
+    timer->time_ms = timers_ms_[std::min(timers_begun_++, timers_ms_.size() - 1)];
     in_timer_ = true;
-    return true;
 }
 
 void RecordingDevice::endTimer()
@@ -248,21 +252,19 @@ void RecordingDevice::endTimer()
     if (!std::exchange(in_timer_, false)) blame("endTimer without beginTimer");
 }
 
-bool RecordingDevice::timerReady(int slot)
+bool RecordingDevice::timerReady(TimerId id)
 {
-    return !results_held_ || !measured_[static_cast<std::size_t>(slot)];
+    const Object* timer = find(id, "timerReady");
+    return timer && !(timer->time_ms && results_held_);
 }
 
-double RecordingDevice::readTimer(int slot)
+double RecordingDevice::readTimer(TimerId id)
 {
-    record(Call::read_timer, 0, {static_cast<std::uint32_t>(slot)});
+    record(Call::read_timer);
     if (in_frame_) blame("readTimer inside a frame");
     if (results_held_) blame("readTimer waits");
-    const auto index = static_cast<std::size_t>(slot);
-    const bool known = index < measured_.size() && measured_[index];
-    const std::size_t of_frame = index % kMaxFrameTimers;
-    const std::size_t at = index < timers_ms_.size() ? index : of_frame;
-    return known && at < timers_ms_.size() ? timers_ms_[at] : -1;
+    const Object* timer = find(id, "readTimer");
+    return timer ? timer->time_ms.value_or(-1) : -1;
 }
 
 }  // namespace crevice

@@ -16,10 +16,9 @@ constexpr const char* kCallNames[] = {
     "adoptTexture",   "refresh",           "destroy",       "writeTexture", "readTexture",
     "beginRead",      "beginFrame",        "endFrame",      "beginPass",    "endPass",
     "setProgram",     "setTexture",        "setUniform",    "draw",         "drawByHost",
-    "drawFullscreen", "present",           "finish",        "beginTimer",   "endTimer",
-    "readTimer",
+    "drawFullscreen", "present",           "finish",        "createTimer",  "beginTimer",
+    "endTimer",       "readTimer",
 };
-constexpr const char* kKindNames[] = {"texture", "mesh", "program", "framebuffer"};
 constexpr const char* kCompareNames[] = {"always",  "less",          "less_equal",
                                          "greater", "greater_equal", "equal"};
 constexpr const char* kCullNames[] = {"none", "back", "front"};
@@ -213,10 +212,7 @@ std::string RecordingDevice::arguments(const Record& call) const
     case Call::refresh:
     case Call::adopt_texture:
         return line.add(object).text() + createdText(objects_.at(call.object));
-    case Call::destroy:
-        return line.add(kKindNames[static_cast<int>(objects_.at(call.object).kind)])
-            .add(object)
-            .text();
+    case Call::destroy: return line.add(kindName(objects_.at(call.object).kind)).add(object).text();
     case Call::write_texture:
     case Call::begin_read:
     case Call::read_texture: return line.add(object).text();
@@ -228,15 +224,16 @@ std::string RecordingDevice::arguments(const Record& call) const
         return line.add("mesh").add(object).text() + " " + std::to_string(at[0]) + ".." +
                std::to_string(at[0] + at[1]);
     case Call::present: return presentText(call);
-    case Call::begin_timer:
-    case Call::read_timer: return line.addInteger(at[0]).text();
     case Call::begin_frame:
     case Call::end_frame:
     case Call::end_pass:
     case Call::draw_by_host:
     case Call::draw_fullscreen:
     case Call::finish:
-    case Call::end_timer: break;
+    case Call::create_timer:
+    case Call::begin_timer:
+    case Call::end_timer:
+    case Call::read_timer: break;
     }
     return {};
 }

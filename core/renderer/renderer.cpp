@@ -114,11 +114,8 @@ Status Renderer::setTiming(bool on)
 {
     state_->timing = on;
     if (state_->execution->setTiming(on) || !on) return {};
-    const DeviceCaps& caps = state_->device->caps();
     return asWarning({Code::no_timers,
-                      caps.timers ? "the plan's views have more than " +
-                                        std::to_string(kMaxFrameTimers) + " passes together"
-                                  : "'" + caps.name + "' has no timer that can be trusted",
+                      "'" + state_->device->caps().name + "' has no timer that can be trusted",
                       "time with renderTimed, which waits for each pass and takes the clock"});
 }
 

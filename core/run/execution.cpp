@@ -121,25 +121,22 @@ Status Execution::run(const Frame& frame)
 
 Result<FrameTimes> Execution::runTimed(const Frame& frame)
 {
-    const FrameClock clock(device_.caps().software);
-    PassTimers timers;
-    timers.start(runCount(), plan_.passes.size(), &clock);
-    timers_.forget();
+    waited_.start(runs_.size(), plan_.passes.size(), &clock_);
     device_.finish();
-    const double start = clock.now();
-    const Status status = draw(frame, timers, true);
+    const double start = clock_.now();
+    const Status status = draw(frame, waited_, true);
     if (!status) return status.diagnostics();
     device_.finish();
-    const double total_ms = clock.now() - start;
-    FrameTimes times = timers.wait(device_);
+    const double total_ms = clock_.now() - start;
+    FrameTimes times = waited_.wait();
     if (times.method != TimingMethod::gpu_timer) times.total_ms = total_ms;
     return {std::move(times), status.diagnostics()};
 }
 
 bool Execution::setTiming(bool on)
 {
-    const bool able = device_.caps().timers && runCount() <= kMaxFrameTimers;
-    timers_.start(on && able ? runCount() : 0, plan_.passes.size());
+    const bool able = device_.caps().timers;
+    timers_.start(on && able ? runs_.size() : 0, plan_.passes.size());
     return able;
 }
 
@@ -159,9 +156,9 @@ Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
         const PreparedView& view = views_[runs_[run].view];
         if (beginsView(run)) setView(frame, view);
         if (!chosen[run]) continue;
-        timers.beginRun(device_, run);
+        timers.beginRun(run);
         runPass(runs_[run], view.camera);
-        timers.endRun(device_, run);
+        timers.endRun(run);
     }
     return end(frame);
 }

@@ -51,12 +51,12 @@ public:
     /// All passes of it, changed or not, with a wait before the frame and the time of each pass.
     Result<FrameTimes> runTimed(const Frame& frame);
 
-    /// Has `run` measure passes from now on, read some frames later. False without timers enough.
+    /// Has `run` measure passes from now on, read some frames later. False without timers.
     bool setTiming(bool on);
 
     /// What the latest frame took whose results are in; null before there are any.
     const FrameTimes* times() const { return timers_.latest(); }
-    void takeTimes() { timers_.collect(device_); }
+    void takeTimes() { timers_.collect(); }
 
     /// Has `run` read the first texel of these outputs from now on.
     void follow(const std::vector<std::string>& outputs);
@@ -151,7 +151,6 @@ private:
     TextureId texture(int index, int view) const;
 
     // execution.cpp
-    int runCount() const { return static_cast<int>(runs_.size()); }
     bool beginsView(std::size_t run) const { return run % plan_.passes.size() == 0; }
     Status draw(const Frame& frame, PassTimers& timers, bool all);
     const std::vector<char>& begin(const Frame& frame, bool all);
@@ -178,7 +177,9 @@ private:
     Plan plan_;
     ValueTable values_{plan_};
     PassCache cache_{plan_};
-    PassTimers timers_;
+    FrameClock clock_{device_.caps().software};
+    PassTimers timers_{device_};  // of `run`,
+    PassTimers waited_{device_};  // ... and of `runTimed`
     std::vector<Followed> followed_;
     std::vector<char> changed_ = std::vector<char>(plan_.passes.size() * plan_.views);  // by run
     DrawnList drawn_;  // what draw passes drew last

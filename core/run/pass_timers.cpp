@@ -32,93 +32,85 @@ double FrameClock::now() const
     return std::chrono::duration<double, std::milli>(since).count();
 }
 
-void PassTimers::start(int runs, std::size_t passes, const FrameClock* clock)
+void PassTimers::start(std::size_t runs, std::size_t passes, const FrameClock* clock)
 {
-    runs_ = runs;
-    clock_ = clock;
-    forget();
-    any_ = false;
-    latest_ = {clock ? clock->method() : TimingMethod::gpu_timer, std::vector<double>(passes), 0,
+    clock_ = device_.caps().timers ? nullptr : clock;
+    any_ = measures_ = false;
+    latest_ = {clock_ ? clock_->method() : TimingMethod::gpu_timer, std::vector<double>(passes), 0,
                0};
-    for (TimedFrame& frame : frames_) frame.ran.assign(runs, 0);
+    for (TimedFrame& frame : frames_) {
+        frame.in_flight = false;
+        frame.runs.resize(runs);
+        for (TimedRun& run : frame.runs)
+            if (!run.timer.id()) run.timer = {device_, device_.createTimer()};
+    }
 }
 
-void PassTimers::forget()
+bool PassTimers::isReady(const TimedFrame& frame) const
 {
-    for (TimedFrame& frame : frames_) frame.in_flight = false;
-    measures_ = false;
+    return std::all_of(frame.runs.begin(), frame.runs.end(), [this](const TimedRun& run) {
+        return !run.ran || device_.timerReady(run.timer.id());
+    });
 }
 
-int PassTimers::slotOf(std::size_t frame, std::size_t run) const
-{
-    return static_cast<int>(frame) * kMaxFrameTimers + static_cast<int>(run);
-}
-
-bool PassTimers::isReady(Device& device, std::size_t frame) const
-{
-    for (int run = 0; run < runs_; ++run)
-        if (frames_[frame].ran[run] && !device.timerReady(slotOf(frame, run))) return false;
-    return true;
-}
-
-void PassTimers::read(Device& device, std::size_t frame)
+void PassTimers::read(TimedFrame& frame)
 {
     std::fill(latest_.pass_ms.begin(), latest_.pass_ms.end(), 0.0);
     latest_.total_ms = 0;
-    for (int run = 0; run < runs_; ++run) {
-        if (!frames_[frame].ran[run]) continue;
-        const double ms = device.readTimer(slotOf(frame, run));
+    for (std::size_t run = 0; run < frame.runs.size(); ++run) {
+        if (!frame.runs[run].ran) continue;
+        const double ms = device_.readTimer(frame.runs[run].timer.id());
         for (double* sum : {&latest_.pass_ms[run % latest_.pass_ms.size()], &latest_.total_ms})
             *sum = ms < 0 || *sum < 0 ? -1 : *sum + ms;
     }
     any_ = true;
     ++latest_.count;
-    frames_[frame].in_flight = false;
+    frame.in_flight = false;
 }
 
-const FrameTimes& PassTimers::wait(Device& device)
+const FrameTimes& PassTimers::wait()
 {
-    if (latest_.method == TimingMethod::gpu_timer) read(device, last());
+    if (latest_.method == TimingMethod::gpu_timer) read(last());
     return latest_;
 }
 
-void PassTimers::collect(Device& device)
+void PassTimers::collect()
 {
     measures_ = false;
-    for (std::size_t i = 0; i < kTimedFrames && runs_ > 0; ++i) {
-        const std::size_t frame = (next_ + i) % kTimedFrames;  // the oldest first
-        if (!frames_[frame].in_flight) continue;
-        if (!isReady(device, frame)) return;
-        read(device, frame);
+    for (std::size_t i = 0; i < kTimedFrames; ++i) {
+        TimedFrame& frame = frames_[(next_ + i) % kTimedFrames];  // the oldest first
+        if (!frame.in_flight) continue;
+        if (!isReady(frame)) return;
+        read(frame);
     }
 }
 
 void PassTimers::beginFrame()
 {
     TimedFrame& frame = frames_[next_];
-    measures_ = runs_ > 0 && !frame.in_flight;
+    measures_ = !frame.runs.empty() && !frame.in_flight;
     if (!measures_) return;
-    std::fill(frame.ran.begin(), frame.ran.end(), 0);
+    for (TimedRun& run : frame.runs) run.ran = false;
     frame.in_flight = true;
     next_ = (next_ + 1) % kTimedFrames;
 }
 
-void PassTimers::beginRun(Device& device, std::size_t run)
+void PassTimers::beginRun(std::size_t run)
 {
-    running_ = measures_ && runs_ <= kMaxTimers && device.beginTimer(slotOf(last(), run));
     if (!measures_) return;
-    frames_[last()].ran[run] = running_;
-    if (running_)
-        latest_.method = TimingMethod::gpu_timer;
-    else if (clock_)
+    TimedRun& timed = last().runs[run];
+    timed.ran = true;
+    if (clock_)
         begin_ms_ = clock_->now();
+    else
+        device_.beginTimer(timed.timer.id());
 }
 
-void PassTimers::endRun(Device& device, std::size_t run)
+void PassTimers::endRun(std::size_t run)
 {
-    if (running_) return device.endTimer();
-    if (!measures_ || !clock_) return;
-    device.finish();
+    if (!measures_) return;
+    if (!clock_) return device_.endTimer();
+    device_.finish();
     latest_.pass_ms[run % latest_.pass_ms.size()] += clock_->now() - begin_ms_;
 }
 

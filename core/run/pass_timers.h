@@ -2,6 +2,8 @@
 // What passes take: on the GPU, read once it is known, some frames later; or by a clock.
 #pragma once
 
+#include "core/gpu/owned.h"
+
 #include <crevice/frame.h>
 
 namespace crevice {
@@ -25,50 +27,57 @@ private:
     TimingMethod method_;
 };
 
-/// A ring of kTimedFrames frames in flight. A frame that finds its place in the ring still unread,
-/// because the GPU is further behind than that, is not measured.
+/// Frames whose timers are kept apart, so that those of earlier ones can be read without a wait.
+constexpr int kTimedFrames = 4;
+
+/// A ring of kTimedFrames frames in flight, with timers of its own. A frame that finds its place in
+/// the ring still unread, because the GPU is further behind than that, is not measured.
 class PassTimers {
 public:
-    /// Measures so many runs of passes a frame from now on, those of `passes` passes for each view
-    /// in turn; 0 measures nothing. What was measured before is forgotten. Where the device has no
-    /// timers, or too few, `clock` measures, with a wait after each run; it must outlive this.
-    void start(int runs, std::size_t passes, const FrameClock* clock = nullptr);
+    /// The device must outlive this.
+    explicit PassTimers(Device& device) : device_(device) {}
 
-    /// Forgets frames in flight: another has used the device's timers.
-    void forget();
+    /// Measures so many runs of passes a frame from now on, those of `passes` passes for each view
+    /// in turn; 0 measures nothing. What was measured before is forgotten. A device without timers
+    /// requires a `clock`, which measures with a wait after each run; it must outlive this.
+    /// Outside of frames.
+    void start(std::size_t runs, std::size_t passes, const FrameClock* clock = nullptr);
 
     /// Takes the results that are there. Outside of frames.
-    void collect(Device& device);
+    void collect();
 
     void beginFrame();
 
     /// Waits for what the last frame took; by a clock its total is left 0. Outside of frames.
-    const FrameTimes& wait(Device& device);
+    const FrameTimes& wait();
 
     const FrameTimes* latest() const { return any_ ? &latest_ : nullptr; }
 
     /// Measures a run from here to endRun.
-    void beginRun(Device& device, std::size_t run);
-    void endRun(Device& device, std::size_t run);
+    void beginRun(std::size_t run);
+    void endRun(std::size_t run);
 
 private:
+    struct TimedRun {
+        Owned<TimerId> timer;
+        bool ran = false;  // in the frame
+    };
+
     struct TimedFrame {
-        std::vector<char> ran;  // by run
+        std::vector<TimedRun> runs;
         bool in_flight = false;
     };
 
-    std::size_t last() const { return (next_ + kTimedFrames - 1) % kTimedFrames; }
-    int slotOf(std::size_t frame, std::size_t run) const;
-    bool isReady(Device& device, std::size_t frame) const;
-    void read(Device& device, std::size_t frame);
+    TimedFrame& last() { return frames_[(next_ + kTimedFrames - 1) % kTimedFrames]; }
+    bool isReady(const TimedFrame& frame) const;
+    void read(TimedFrame& frame);
 
-    int runs_ = 0;
-    const FrameClock* clock_ = nullptr;
+    Device& device_;
+    const FrameClock* clock_ = nullptr;  // where the device has no timers
     TimedFrame frames_[kTimedFrames];
     std::size_t next_ = 0;  // frame to be measured: the oldest one
     bool measures_ = false;
-    bool running_ = false;  // a timer of the device
-    double begin_ms_ = 0;   // of a run, by the clock
+    double begin_ms_ = 0;  // of a run, by the clock
     FrameTimes latest_;
     bool any_ = false;
 };

@@ -74,17 +74,18 @@ struct Bench {
         timers = GlTimers::make(gl, info);
     }
 
-    void measure(int slot, GLuint64 nanoseconds)
+    void measure(GlTimer& timer, GLuint64 nanoseconds)
     {
         gpu.next_ns = nanoseconds;
-        REQUIRE(timers.begin(gl, slot));
+        timers.begin(gl, timer);
         timers.end(gl);
     }
 
-    double read(int slot) { return timers.read(gl, slot); }
+    double read(const GlTimer& timer) { return timers.read(gl, timer); }
 
     GlApi gl = makeApi();
     GlTimers timers;
+    GlTimer one, two, idle;
 };
 
 }  // namespace
@@ -93,44 +94,44 @@ TEST_CASE("A disturbed GPU makes every result since the last reading void, and n
 {
     Bench bench;
     gpu.disjoint = true;  // before the first timer
-    bench.measure(0, 1500000);
-    bench.measure(kMaxTimers - 1, 250);
-    CHECK(bench.read(0) == Approx(1.5));
-    CHECK(bench.read(kMaxTimers - 1) == Approx(0.00025));
-    CHECK(bench.read(1) < 0);
+    bench.measure(bench.one, 1500000);
+    bench.measure(bench.two, 250);
+    CHECK(bench.read(bench.one) == Approx(1.5));
+    CHECK(bench.read(bench.two) == Approx(0.00025));
+    CHECK(bench.read(bench.idle) < 0);
     gpu.disjoint = true;
-    CHECK(bench.read(0) < 0);
-    CHECK(bench.read(kMaxTimers - 1) < 0);  // though asking for the flag has reset it
-    bench.measure(0, 3000);
-    CHECK(bench.read(0) == Approx(0.003));
-    CHECK(bench.read(kMaxTimers - 1) < 0);  // measured before; forgotten
+    CHECK(bench.read(bench.one) < 0);
+    CHECK(bench.read(bench.two) < 0);  // though asking for the flag has reset it
+    gpu.disjoint = true;
+    bench.measure(bench.one, 3000);
+    CHECK(bench.read(bench.one) == Approx(0.003));
+    CHECK(bench.read(bench.two) < 0);  // measured before; forgotten
 }
 
-TEST_CASE("A context without timers, or with a clock of no bits, refuses")
+TEST_CASE("A context without timers, or with a clock of no bits, has none")
 {
-    Bench none({}, 0);
-    CHECK_FALSE(none.timers.begin(none.gl, 0));
-    CHECK(none.read(0) < 0);
-    CHECK(gpu.made == 0);
+    CHECK(Bench().timers.exist());
+    CHECK_FALSE(Bench({}, 0).timers.exist());
     CHECK_FALSE(GlTimers::make({}, {}).exist());
 }
 
-TEST_CASE("Queries are made once, when there is first something to measure, and deleted once")
+TEST_CASE("A timer's query is made once, when it is first to measure, and deleted once")
 {
     {
         GlInfo desktop;  // which has no flag of a disturbance to ask for
         desktop.desktop = true;
         Bench bench(desktop);
-        CHECK(bench.read(0) < 0);
+        CHECK(bench.read(bench.one) < 0);
         CHECK(gpu.made == 0);
-        for (int i = 0; i < 3; ++i) bench.measure(i, 1000);
-        CHECK(bench.read(0) == Approx(0.001));
+        for (GlTimer* each : {&bench.one, &bench.two, &bench.one}) bench.measure(*each, 1000);
+        CHECK(bench.read(bench.one) == Approx(0.001));
         CHECK(gpu.disjoint_questions == 0);
-        const GlTimers moved = std::move(bench.timers);
-        CHECK(gpu.made == kMaxTimers);
+        const GlTimer moved = std::move(bench.one);
+        CHECK(bench.read(moved) == Approx(0.001));
+        CHECK(gpu.made == 2);
         CHECK(gpu.deleted == 0);
     }
-    CHECK(gpu.deleted == kMaxTimers);
+    CHECK(gpu.deleted == 2);
 }
 
 TEST_CASE("In WebGL, where waiting brings no result, one that is not in yet is void")
@@ -139,9 +140,9 @@ TEST_CASE("In WebGL, where waiting brings no result, one that is not in yet is v
         GlInfo info;
         info.web = web;
         Bench bench(info);
-        bench.measure(0, 1000);
+        bench.measure(bench.one, 1000);
         gpu.behind = true;
-        CHECK((bench.read(0) < 0) == web);
+        CHECK((bench.read(bench.one) < 0) == web);
     }
 }
 

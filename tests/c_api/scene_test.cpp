@@ -302,7 +302,7 @@ TEST_CASE_METHOD(CScene, "C API: times of passes come by name, once they are in"
 {
     need(crevice_effect_set_timing(effect, true));
     CHECK(crevice_error_code(crevice_effect_warnings(effect)) == 6018);
-    recording->setTimers(std::vector<double>(kMaxTimers, 0.5));
+    recording->setTimers({0.5});
     draw.callback = [](const crevice_draw_call*, void*) {};  // in every frame
     setDraw();
     need(crevice_effect_set_timing(effect, true));

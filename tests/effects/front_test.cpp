@@ -141,7 +141,7 @@ TEST_CASE("Options and levels that make no sense are refused")
 TEST_CASE("An effect that is governed draws the level that fits, by the GPU's times of before")
 {
     RecordingDevice device;
-    device.setTimers(std::vector<double>(kMaxTimers, 0.1));
+    device.setTimers({0.1});
     Effect effect = need(Effect::create(device, "mobile", {64, 36}, {"ao"}));
     Camera& camera = effect.frame().camera;
     camera.clip_from_view[3][3] = 1.5f;
@@ -161,10 +161,10 @@ TEST_CASE("An effect that is governed draws the level that fits, by the GPU's ti
     device.clearLog();
     CHECK(show(20) == 1);
     CHECK(effect.governor()->report().ms > 0);
-    device.setTimers(std::vector<double>(kMaxTimers, 4.0));
+    device.setTimers({4.0});
     CHECK(show(3) == 0);  // two of them above the budget
     CHECK(effect.renderer().description().name == "mobile_low");
-    device.setTimers(std::vector<double>(kMaxTimers, 0.1));
+    device.setTimers({0.1});
     CHECK(show(60) == 1);
     CHECK(device.log().find("createProgram") == std::string::npos);
     // Times of the host's.

@@ -23,6 +23,8 @@ public:
     {
     }
 
+    const TimerId timer = createTimer();  // null where there is none
+
     Result<MeshId> createMesh(const MeshDesc& desc) override
     {
         const std::vector<std::uint16_t> indices(desc.indices.begin(), desc.indices.end());
@@ -41,7 +43,8 @@ public:
     Status beginFrame() override
     {
         Status status = ForwardingDevice::beginFrame();
-        times_ = status.ok() && beginTimer(0);
+        times_ = status.ok() && timer;
+        if (times_) beginTimer(timer);
         return status;
     }
     Status endFrame() override
@@ -68,7 +71,7 @@ private:
     bool times_ = false;
 };
 
-Device* device = nullptr;
+BufferDevice* device = nullptr;
 
 }  // namespace
 
@@ -89,7 +92,8 @@ Result<std::unique_ptr<Device>> makeBufferDevice(const GlLoader& loader,
 /// where it never will be.
 extern "C" EMSCRIPTEN_KEEPALIVE double frameTime()
 {
-    return device && device->timerReady(0) ? device->readTimer(0) : 0.0;
+    if (device && !device->timer) return -1.0;
+    return device && device->timerReady(device->timer) ? device->readTimer(device->timer) : 0.0;
 }
 
 }  // namespace crevice

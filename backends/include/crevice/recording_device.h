@@ -8,7 +8,6 @@
 
 #include <crevice/device.h>
 
-#include <bitset>
 #include <initializer_list>
 #include <map>
 #include <set>
@@ -64,12 +63,12 @@ public:
     /// What depthRange reports.
     void setDepthRange(const DepthRange& range) { depth_range_ = range; }
 
-    /// Gives the device timers: what slot 0, 1, ... will read, in milliseconds. Slots past the end
-    /// read as void, and none at all takes the timers away.
+    /// Gives the device timers: what the first, second, ... of a frame will measure, in
+    /// milliseconds, at least one; those past the end measure what the last does.
     void setTimers(std::vector<double> times_ms)
     {
         timers_ms_ = std::move(times_ms);
-        caps_.timers = !timers_ms_.empty();
+        caps_.timers = true;
     }
 
     /// Holds the results of timers and of beginRead back, as a GPU does that is behind.
@@ -126,10 +125,11 @@ public:
     void drawFullscreen() override;
     Status present(TextureId id, const HostFramebuffer& host) override;
     void finish() override;
-    bool beginTimer(int slot) override;
+    TimerId createTimer() override;
+    void beginTimer(TimerId id) override;
     void endTimer() override;
-    bool timerReady(int slot) override;
-    double readTimer(int slot) override;
+    bool timerReady(TimerId id) override;
+    double readTimer(TimerId id) override;
 
 private:
     enum class Call {
@@ -156,6 +156,7 @@ private:
         draw_fullscreen,
         present,
         finish,
+        create_timer,
         begin_timer,
         end_timer,
         read_timer,
@@ -179,6 +180,7 @@ private:
         bool defined = false;  // something is in the texture
         Image image = {};
         std::optional<std::array<float, 4>> read = {};
+        std::optional<double> time_ms = {};
         FramebufferDesc framebuffer = {};
         std::vector<UniformInfo> uniforms = {};
         std::vector<bool> uniform_set = {};  // a sampler's lasts for one setProgram
@@ -191,6 +193,7 @@ private:
 
     using Words = std::initializer_list<std::uint32_t>;
 
+    static const char* kindName(ObjectId::Kind kind);
     void record(Call call, std::uint32_t object = 0, Words words = {});
     void blame(std::string what);
     Status checkContext(const std::string& what) const;
@@ -229,8 +232,8 @@ private:
     bool in_pass_ = false;
     bool drawn_ = false;  // something, in this pass
     std::vector<UniformInfo> forced_;
-    std::vector<double> timers_ms_;
-    std::bitset<kMaxTimers> measured_;  // timers that ran
+    std::vector<double> timers_ms_ = {0};
+    std::size_t timers_begun_ = 0;  // this frame
     bool results_held_ = false;
     bool in_timer_ = false;
     bool frame_fails_ = false;

@@ -85,7 +85,7 @@ struct StateDesc {
 
 /// An object of any kind, for `Device::destroy`.
 struct ObjectId {
-    enum class Kind { texture, mesh, program, framebuffer };
+    enum class Kind { texture, mesh, program, framebuffer, timer };
 
     Kind kind;
     std::uint32_t value;
@@ -101,6 +101,7 @@ using TextureId = IdOf<ObjectId::Kind::texture>;
 using MeshId = IdOf<ObjectId::Kind::mesh>;
 using ProgramId = IdOf<ObjectId::Kind::program>;
 using FramebufferId = IdOf<ObjectId::Kind::framebuffer>;
+using TimerId = IdOf<ObjectId::Kind::timer>;
 
 /// What a device can do; read once when it is made.
 struct DeviceCaps {
@@ -118,7 +119,7 @@ struct DeviceCaps {
     /// than its pass (FramebufferDesc::depth) is refused.
     bool equal_attachments = false;
 
-    bool timers = false;  ///< Device::beginTimer measures; false on software renderers.
+    bool timers = false;  ///< Device::createTimer makes any; false on software renderers.
 
     /// By Format: bit n is set when a pixel may have n + 1 samples; bit 0 is not looked at.
     std::uint32_t sample_counts[kFormatCount + 1] = {};
@@ -320,13 +321,6 @@ enum class StoreOp { store, discard };
 
 constexpr int kMaxColorAttachments = 8;
 
-/// Timers that a frame may run; more than any shipped config has passes.
-constexpr int kMaxFrameTimers = 64;
-
-/// Frames whose timers are kept apart, so that those of earlier ones can be read without a wait.
-constexpr int kTimedFrames = 4;
-constexpr int kMaxTimers = kMaxFrameTimers * kTimedFrames;
-
 /// Pixels of a picture; (x, y) is the lower left one.
 struct PixelArea {
     int x = 0, y = 0;
@@ -475,19 +469,22 @@ public:
     /// Waits until everything issued is done.
     virtual void finish() = 0;
 
-    /// Measures the GPU's time from here to endTimer into a slot, [0, kMaxTimers), which forgets
-    /// what it held. Inside a frame, one at a time. False, for every slot and for good, where the
-    /// device has no timers (DeviceCaps::timers); endTimer must then not follow.
-    virtual bool beginTimer(int slot) = 0;
+    /// Makes a timer; the caller owns it and gives it to `destroy`. Null where the device has none
+    /// (DeviceCaps::timers). All below require a timer of the device.
+    virtual TimerId createTimer() = 0;
+
+    /// Measures the GPU's time from here to endTimer, and forgets what the timer held. Inside a
+    /// frame, one at a time.
+    virtual void beginTimer(TimerId id) = 0;
     virtual void endTimer() = 0;
 
     /// Whether readTimer would not wait.
-    virtual bool timerReady(int slot) = 0;
+    virtual bool timerReady(TimerId id) = 0;
 
-    /// What the slot measured, in milliseconds; outside of frames. Waits for the GPU, but not in
+    /// What the timer measured, in milliseconds; outside of frames. Waits for the GPU, but not in
     /// WebGL, where results come between tasks of the page. Negative when the result is void: the
     /// GPU was disturbed, nothing was measured, or WebGL has no result yet.
-    virtual double readTimer(int slot) = 0;
+    virtual double readTimer(TimerId id) = 0;
 };
 
 /// Whether the device has that texture, with one sample a pixel, to read and copy. Errors: CV6011.

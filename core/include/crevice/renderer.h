@@ -50,9 +50,9 @@ public:
     Status render(const Frame& frame);
 
     /// The same, but runs every pass and measures how long each takes: by the GPU's timer where the
-    /// device has one and the plan's views have at most kMaxTimers passes together, else waiting
-    /// for the GPU after each pass: by the processor time of the process on a software renderer, by
-    /// the wall clock elsewhere. Slower than `render`, and allocates.
+    /// device has one, else waiting for the GPU after each pass: by the processor time of the
+    /// process on a software renderer, by the wall clock elsewhere. Slower than `render`, and
+    /// allocates.
     ///
     /// Errors: those of `render`. A void measurement is no error, see FrameTimes.
     Result<FrameTimes> renderTimed(const Frame& frame);
@@ -62,7 +62,7 @@ public:
     /// run does not change. Default: off.
     ///
     /// Warns with CV6018 where nothing can be measured: the device has no timer that can be
-    /// trusted, as on software renderers, or views have more than kMaxFrameTimers passes together.
+    /// trusted, as on software renderers.
     Status setTiming(bool on);
 
     /// What the latest frame took whose results are in. Null before there are any: after

@@ -107,7 +107,7 @@ TEST_CASE("A frame allocates nothing while camera, draws, lights and params move
 TEST_CASE("A frame that a governor watches allocates nothing at the level that it keeps")
 {
     RecordingDevice device;
-    device.setTimers(std::vector<double>(kMaxTimers, 0.1));
+    device.setTimers({0.1});
     Effect effect = need(Effect::create(device, "mobile", {64, 36}, {"ao"}));
     need(effect.govern({{{"mobile_low"}, {}, 1}, {{"mobile"}, {}, 2}}, {1000}));
     const auto show = [&](int frames) {

@@ -80,10 +80,11 @@ public:
         return device_.present(id, host);
     }
     void finish() override { device_.finish(); }
-    bool beginTimer(int slot) override { return device_.beginTimer(slot); }
+    TimerId createTimer() override { return device_.createTimer(); }
+    void beginTimer(TimerId id) override { device_.beginTimer(id); }
     void endTimer() override { device_.endTimer(); }
-    bool timerReady(int slot) override { return device_.timerReady(slot); }
-    double readTimer(int slot) override { return device_.readTimer(slot); }
+    bool timerReady(TimerId id) override { return device_.timerReady(id); }
+    double readTimer(TimerId id) override { return device_.readTimer(id); }
 
 protected:
     Device& device_;
