@@ -10,7 +10,6 @@
 //
 // [Tomasi, Manduchi 1998]
 
-#include "common/depth_share.glsl"
 #include "common/pixel_ray.glsl"
 #include "common/tolerance.glsl"
 #include "ssao/shaders/shading_normals.glsl"
@@ -23,17 +22,6 @@ uniform highp float depth_cut;
 uniform highp float slope_cut;
 
 highp vec3 normalOf(mediump vec4 stored) { return stored.xyz * 2.0 - 1.0; }
-
-// One pixel of the pass, in scene units at its depth.
-highp vec2 pixelSize(highp float share)
-{
-    highp vec2 size = vec2(ray_from_pixel[0].x, ray_from_pixel[1].y);
-#if !CAMERA_ORTHOGRAPHIC
-    highp float unit = depthUnit();
-    size *= unit - unit / max(share, kFarthestShare);  // view depth
-#endif
-    return size;
-}
 
 // How much the view depth changes with the share.
 highp float lengthPerShare(highp float share)

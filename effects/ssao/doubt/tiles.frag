@@ -12,9 +12,9 @@
 // radii, below which nothing is seen. All in radii, a step of more than one as one. Ours; docs/reference/doubt.md.
 precision highp float;  // as depths are
 
-#include "common/depth_share.glsl"
 #include "common/host_picture.glsl"
 #include "common/pixel_ray.glsl"
+#include "common/uneven_step.glsl"
 
 uniform mediump sampler2D ao;
 uniform highp sampler2D source_depth;
@@ -47,13 +47,6 @@ vec4 distancesAt(vec2 middle, vec2 along, float radii, vec2 radius, vec2 band, f
                 distanceAt(middle - way, band, center), distanceAt(middle - across, band, center));
 }
 
-// What of steps is not one slope with those before them: none on a plane.
-vec4 unevenSteps(vec4 here, vec4 before)
-{
-    vec4 uneven = here - before;
-    return mix(here, uneven, lessThan(abs(uneven), abs(here)));
-}
-
 void main()
 {
     ivec2 size = textureSize(ao, 0);
@@ -75,12 +68,7 @@ void main()
     float noise = max(squares / 16.0 - mean * mean, 0.0);
 
     float center = -zOfShare(share, depthUnit()) / usedRadius();
-    vec2 pixel = abs(vec2(ray_from_pixel[0].x, ray_from_pixel[1].y)) * viewport_size / vec2(size);
-#if CAMERA_ORTHOGRAPHIC
-    pixel /= usedRadius();
-#else
-    pixel *= center;
-#endif
+    vec2 pixel = abs(pixelSize(share)) * viewport_size / (vec2(size) * usedRadius());
     vec2 radius = 1.0 / max(pixel, vec2(1e-6));
     // The four directions of every second tile lie between those of the others.
     ivec2 tile = ivec2(gl_FragCoord.xy);
@@ -89,8 +77,8 @@ void main()
     vec4 near = distancesAt(middle, along, kNear, radius, band, center);
     vec4 far = distancesAt(middle, along, kFar, radius, band, center);
     vec4 rise = (near - center) / kNear;
-    vec4 second = unevenSteps((far - near) / (kFar - kNear), rise) * (kFar - kNear);
-    vec4 step_nearer = max(-unevenSteps(rise, -rise.zwxy) * kNear, -second);
+    vec4 second = unevenStep((far - near) / (kFar - kNear), rise) * (kFar - kNear);
+    vec4 step_nearer = max(-unevenStep(rise, -rise.zwxy) * kNear, -second);
     float hidden = dot(clamp(step_nearer, 0.0, 1.0), vec4(0.25));
     float coarse = min(max(pixel.x, pixel.y), 1.0);
 

@@ -8,11 +8,11 @@
 // Taps lie on a straight line of texels, which a slice through the view ray is on the screen. Lengths of what a tap
 // sees are in radii. What lives from tap to tap is a few numbers: a phone's core has 32 registers for full speed.
 
-#include "common/depth_share.glsl"
 #include "common/host_picture.glsl"
 #include "common/pixel_noise.glsl"
 #include "common/pixel_ray.glsl"
 #include "common/tolerance.glsl"
+#include "common/uneven_step.glsl"
 #include "ssao/shaders/shading_normals.glsl"
 
 uniform highp sampler2D source_depth;
@@ -308,13 +308,6 @@ mediump vec2 withinSlice(Side side, mediump vec3 offset)
 mediump float filledShare(mediump float gap)
 {
     return 1.0 / (1.0 + gap * gap);
-}
-
-// What of a step in depth between two taps is not one slope with the step before it: 0 on a plane, however steep. Ours.
-mediump float unevenStep(mediump float step_here, mediump float step_before)
-{
-    mediump float uneven = step_here - step_before;
-    return abs(uneven) < abs(step_here) ? uneven : step_here;
 }
 
 // 1 where the radius is two pixels or more across the view, 0 where it is below one: no tap is nearer, and there is
