@@ -262,9 +262,13 @@ std::string toText(const Plan& plan)
                 (each.optional ? ", optional\n" : "\n");
     const std::vector<Elided> elided = allElided(plan);
     if (!elided.empty()) text += "left out\n";
-    for (const Elided& each : elided)
-        text += "  " + each.what + " (" + each.optimization + "): " + each.reason + "\n";
-    return text;
+    std::string last;  // how the line ends, which those share that are left out alike
+    for (const Elided& each : elided) {
+        const std::string end = " (" + each.optimization + "): " + each.reason + "\n";
+        text += end == last ? ", " + each.what : last + "  " + each.what;
+        last = end;
+    }
+    return text + last;
 }
 
 std::string toDot(const Plan& plan)
