@@ -4,6 +4,7 @@
 #include <crevice/config.h>
 
 #include "core/base/text.h"
+#include "tools/commands/cli/output.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/image/image_metrics.h"
 #include "tools/render/read_output.h"
@@ -94,12 +95,11 @@ Result<HostPictures> HostPictures::read(const HostPictureOptions& options,
 {
     HostPictures host;
     for (const std::string& text : options.files) {
-        const std::size_t equals = std::min(text.find('='), text.size());
-        Result<Image> image = readImage(text.substr(std::min(equals + 1, text.size())));
-        if (equals == text.size())
-            return Diagnostic{Code::usage, "--import '" + text + "' has no '='", kWays};
+        const Result<NamedFile> given = parseNamedFile("--import", text, kWays);
+        if (!given) return given.diagnostics();
+        Result<Image> image = readImage(given->file);
         if (!image) return image.diagnostics();
-        host.pictures_.emplace_back(text.substr(0, equals), std::move(*image));
+        host.pictures_.emplace_back(given->name, std::move(*image));
         if (host.pictures_.back().second.extent != host.extent())
             return Diagnostic{Code::bad_size, "the imported pictures differ in size",
                               "give those of one frame"};

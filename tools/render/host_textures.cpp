@@ -4,6 +4,7 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/commands/cli/config_options.h"
+#include "tools/commands/cli/output.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/image/image_metrics.h"
 
@@ -85,20 +86,19 @@ Status HostTextures::readBeside(Device& device, const ImportDesc& import, const 
 Status HostTextures::readFiles(Device& device, const Description& description,
                                const std::vector<std::string>& files)
 {
+    std::vector<std::string> names;
+    for (const ImportDesc& each : description.imports)
+        if (each.type == ImportType::texture) names.push_back(each.name + "=FILE");
+    const std::string ways =
+        names.empty() ? "the config imports no textures" : "write --texture " + joined(names);
     for (const std::string& text : files) {
-        const std::size_t equals = std::min(text.find('='), text.size());
-        const ImportDesc* import = findNamed(description.imports, text.substr(0, equals));
-        if (!import || import->type != ImportType::texture || equals == text.size()) {
-            std::vector<std::string> names;
-            for (const ImportDesc& each : description.imports)
-                if (each.type == ImportType::texture) names.push_back(each.name + "=FILE");
+        const Result<NamedFile> given = parseNamedFile("--texture", text, ways);
+        if (!given) return given.diagnostics();
+        const ImportDesc* import = findNamed(description.imports, given->name);
+        if (!import || import->type != ImportType::texture)
             return Diagnostic{Code::usage,
-                              "--texture '" + text + "' is for no import of the config",
-                              names.empty() ? "the config imports no textures"
-                                            : "write --texture " + joined(names)};
-        }
-        if (const Status read = readPicture(device, *import, text.substr(equals + 1)); !read)
-            return read;
+                              "--texture '" + text + "' is for no import of the config", ways};
+        if (const Status read = readPicture(device, *import, given->file); !read) return read;
     }
     return {};
 }

@@ -47,7 +47,7 @@ Result<std::vector<Picture>> readRequests(const RenderOptions& options)
         if (const auto path = findCameraPath(options.path); !path) return path.diagnostics();
     std::vector<Picture> pictures;
     for (const std::string& text : options.out) {
-        const Result<OutputRequest> request = parseOutputRequest(text);
+        const Result<NamedFile> request = parseOutputRequest(text);
         if (!request) return request.diagnostics();
         if (request->file.empty() && !frames) {  // a number, to be printed
             pictures.push_back({*request, {}});

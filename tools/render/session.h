@@ -38,7 +38,7 @@ struct RenderOptions {
 
 /// A picture that was asked for, and where its pixels come from.
 struct Picture {
-    OutputRequest request;
+    NamedFile request;
     OutputSource source;
     Image image = {};
 };

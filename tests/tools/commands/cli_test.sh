@@ -9,6 +9,7 @@ readme=$2
 # --- usage ---
 expect 2 "CV8001.*no camera path 'pam'" render gtao --path pam
 expect 2 "CV8001: the file 'ao.png'.*place for the frame" render gtao --path pan --out ao=ao.png
+expect 2 'names no file for the frames' render gtao --path pan --out ao
 expect 2 'excludes --watch' render gtao --path pan --watch
 expect 0 '^crevice 0\.1\.0$' --version
 expect 0 'Exit codes' --help
@@ -33,6 +34,7 @@ expect 2 "the command comes first: crevice render balanced" balanced render
 expect 2 "write --host-depth=normals" render gtao --host-depth normals
 expect 2 'CV8001.*--up.*y' render gtao --scene plane --up x
 expect 1 'CV7005.*nix.exr' render gtao --import depth=nix.exr
+expect 2 "'depth=' is not NAME=FILE" render gtao --import depth=
 expect 2 'CV8001.*requires --import' render gtao --projection 'fov=50'
 expect 2 "write --config mine.json" bench mine.json
 expect 2 "long dash" render gtao –size 320x180

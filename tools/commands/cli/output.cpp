@@ -237,23 +237,28 @@ double clockSeconds()
         .count();
 }
 
-Result<OutputRequest> parseOutputRequest(const std::string& text)
+Result<NamedFile> parseNamedFile(const char* option, const std::string& text, std::string help)
+{
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        return Diagnostic{Code::usage, option + (" '" + text) + "' is not NAME=FILE",
+                          std::move(help)};
+    return NamedFile{text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Result<NamedFile> parseOutputRequest(const std::string& text)
 {
     const auto is_file = [](const std::string& file) {
         const std::string extension = lowerExtension(file);
         return extension == ".png" || extension == ".pfm" || extension == ".exr";
     };
-    const std::size_t equals = text.find('=');
-    const bool alone = equals == std::string::npos;
-    if (alone && !text.empty() && !is_file(text)) return OutputRequest{text, ""};
-    if (alone || equals == 0 || equals + 1 == text.size())
-        return Diagnostic{Code::usage, "--out '" + text + "' is not NAME=FILE",
-                          "write --out color=lit.png or --out ao=ao.pfm"};
-    OutputRequest request{text.substr(0, equals), text.substr(equals + 1)};
-    if (!is_file(request.file))
-        return Diagnostic{Code::usage,
-                          "the file '" + request.file + "' of --out is none of .png, .pfm and .exr",
-                          "PNG holds 8 bits a channel for looking at, PFM and EXR 32-bit floats"};
+    if (!text.empty() && !has(text, "=") && !is_file(text)) return NamedFile{text, ""};
+    Result<NamedFile> request =
+        parseNamedFile("--out", text, "write --out color=lit.png or --out ao=ao.pfm");
+    if (request && !is_file(request->file))
+        return Diagnostic{
+            Code::usage, "the file '" + request->file + "' of --out is none of .png, .pfm and .exr",
+            "PNG holds 8 bits a channel for looking at, PFM and EXR 32-bit floats"};
     return request;
 }
 
@@ -270,9 +275,11 @@ Status checkFramePattern(const std::string& file)
 {
     const std::size_t at = file.find('%');
     if (at != file.npos && isFramePlace(file, at) && file.find('%', at + 1) == file.npos) return {};
-    return Diagnostic{Code::usage,
-                      "the file '" + file + "' of --out has not one place for the frame's number",
-                      "with --path write a file as 'frame_%03d.png', with one %d or %03d"};
+    return Diagnostic{
+        Code::usage,
+        file.empty() ? "an --out names no file for the frames"
+                     : "the file '" + file + "' of --out has not one place for the frame's number",
+        "with --path write --out ao=frame_%03d.png, with one %d or %03d"};
 }
 
 Status checkWritable(const std::string& file)

@@ -89,16 +89,20 @@ bool interrupted();
 /// Seconds of a steady clock, from an arbitrary start.
 double clockSeconds();
 
-/// What `crevice render --out NAME=FILE` asks for: an output, a debug view or any target, in a
-/// file; or with NAME alone one that is a number, to be printed.
-struct OutputRequest {
+/// NAME=FILE of the command line.
+struct NamedFile {
     std::string name;
-    std::string file;  ///< Ends in .png, .pfm or .exr; or empty.
+    std::string file;
 };
 
-/// Reads "color=lit.png" or "doubt_rmse". Errors: CV8001 where either side of the '=' is missing,
-/// or the file is of another kind.
-Result<OutputRequest> parseOutputRequest(const std::string& text);
+/// Reads the text of an option. Errors: CV8001 with `help` where either side of the first '=' is
+/// missing.
+Result<NamedFile> parseNamedFile(const char* option, const std::string& text, std::string help);
+
+/// What `crevice render --out NAME=FILE` asks for: an output, a debug view or any target, in a
+/// .png, .pfm or .exr; or with NAME alone, and an empty file, one that is a number, to be printed.
+/// Errors: those of `parseNamedFile`; CV8001 for a file of another kind.
+Result<NamedFile> parseOutputRequest(const std::string& text);
 
 /// The file of a frame, [0, ...): "frame_%03d.png" gives "frame_007.png". `pattern` is one that
 /// checkFramePattern accepts.
