@@ -150,19 +150,17 @@ const char* resetSuffix(const GlInfo& info)
 /// Desktop OpenGL loads functions that its version lacks.
 void dropWhatIsMissing(GlApi& gl, const GlInfo& info)
 {
-    if (info.desktop && info.native_version < 420 && !info.has("GL_ARB_internalformat_query"))
-        gl.GetInternalformativ = nullptr;
-    if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
-        gl.InvalidateFramebuffer = nullptr;
     const auto lacks = [&info](int version, const char* extension) {
         return info.desktop && info.native_version < version && !info.has(extension);
     };
+    if (lacks(430, "GL_ARB_invalidate_subdata")) gl.InvalidateFramebuffer = nullptr;
+    if (lacks(420, "GL_ARB_internalformat_query")) gl.GetInternalformativ = nullptr;
     if (lacks(420, "GL_ARB_texture_storage")) gl.TexStorage2D = nullptr;
     if (lacks(410, "GL_ARB_ES2_compatibility")) gl.DepthRangef = nullptr;
     if (lacks(400, "GL_ARB_transform_feedback2"))
         gl.PauseTransformFeedback = gl.ResumeTransformFeedback = nullptr;
     if (!info.desktop && info.native_version < 310) gl.GetTexLevelParameteriv = nullptr;
-    if (info.desktop && info.native_version < 410 && !info.has("GL_ARB_get_program_binary")) {
+    if (lacks(410, "GL_ARB_get_program_binary")) {
         gl.GetProgramBinary = nullptr;
         gl.ProgramBinary = nullptr;
         gl.ProgramParameteri = nullptr;

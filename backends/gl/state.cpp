@@ -38,6 +38,7 @@ constexpr GLenum kPolygonOffsetPoint = 0x2A01;
 constexpr GLenum kPolygonOffsetLine = 0x2A02;
 constexpr GLenum kPolygonStipple = 0x0B42;
 constexpr GLenum kAlphaTest = 0x0BC0;
+constexpr GLenum kSamplesPassed = 0x8914;
 constexpr GLenum kPolygonMode = 0x0B40;
 constexpr GLenum kFill = 0x1B02;
 constexpr GLenum kClipDistance0 = 0x3000;
@@ -88,9 +89,6 @@ constexpr PixelStore kPixelStores[] = {
     {kPackInvert, 0, Where::inverted_rows},        {kPackReverseRows, 0, Where::reversed_rows},
 };
 
-// A desktop name that the OpenGL ES headers do not have.
-constexpr GLenum kSamplesPassed = 0x8914;
-
 Diagnostic busy(const std::string& what, const char* help)
 {
     return failure(Code::host_busy, what + ", which drawing would spoil", help);
@@ -107,11 +105,8 @@ GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
       query_version_(info.native_version)
 {
     findExtensions(info);
-    if (desktop_ && !info.bare) {
+    if ((desktop_ && !info.bare) || info.has("GL_EXT_clip_cull_distance"))
         gl_.GetIntegerv(kMaxClipDistances, &clip_distance_count_);
-    } else if (info.has("GL_EXT_clip_cull_distance")) {
-        gl_.GetIntegerv(kMaxClipDistances, &clip_distance_count_);
-    }
     clip_distance_count_ = std::clamp(clip_distance_count_, 0, 32);
     if (gl_.ScissorIndexed) gl_.GetIntegerv(kMaxViewports, &scissor_count_);
     scissor_count_ = std::clamp(scissor_count_, 0, 32);

@@ -16,8 +16,7 @@ constexpr std::size_t kPassCapacity = 1 << 8;
 void addUniforms(std::vector<UniformInfo>& all, const GlslStage& stage)
 {
     for (const GlslUniform& uniform : stage.uniforms) {
-        const auto same = [&](const UniformInfo& info) { return info.name == uniform.name; };
-        if (std::any_of(all.begin(), all.end(), same)) continue;
+        if (findNamed(all, uniform.name)) continue;
         const int location = all.empty() ? 0 : all.back().location + all.back().count;
         all.push_back({uniform.name, uniform.type, uniform.count, location});
     }

@@ -254,8 +254,7 @@ void RecordingDevice::endTimer()
 
 bool RecordingDevice::timerReady(TimerId id)
 {
-    const Object* timer = find(id, "timerReady");
-    return timer && !(timer->time_ms && results_held_);
+    return !results_held_ || !objects_.at(id.value).time_ms;
 }
 
 double RecordingDevice::readTimer(TimerId id)
