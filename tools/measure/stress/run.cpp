@@ -256,11 +256,8 @@ std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records,
     std::vector<StressSeries> all;
     std::map<std::pair<std::string, std::string>, std::size_t> places;
     for (const StressRecord& record : records) {
-        const auto stress = std::find_if(cases.begin(), cases.end(), [&](const StressCase& each) {
-            return each.name == record.case_name;
-        });
-        if (stress == cases.end() || record.step < 0 ||
-            record.step >= static_cast<int>(stress->steps.size()))
+        const StressCase* const stress = findNamed(cases, record.case_name);
+        if (!stress || record.step < 0 || record.step >= static_cast<int>(stress->steps.size()))
             continue;
         const auto [place, is_new] =
             places.emplace(std::pair(record.config, record.case_name), all.size());

@@ -158,12 +158,9 @@ std::string cameraName(const tinygltf::Node& node, const tinygltf::Camera& camer
     const std::string name = !node.name.empty()     ? node.name
                              : !camera.name.empty() ? camera.name
                                                     : "camera";
-    const auto taken = [&](const std::string& text) {
-        return std::any_of(scene.cameras.begin(), scene.cameras.end(),
-                           [&](const SceneCamera& each) { return each.name == text; });
-    };
     std::string numbered = name;
-    for (int k = 2; taken(numbered); ++k) numbered = name + "#" + std::to_string(k);
+    for (int k = 2; findNamed(scene.cameras, numbered); ++k)
+        numbered = name + "#" + std::to_string(k);
     return numbered;
 }
 
