@@ -231,9 +231,12 @@ void printAnswer(const Answer& answer)
           counted(all.views.size(), "scene").c_str(), extentName(all.views[0].extent).c_str(),
           joined({radii.begin(), radii.end()}).c_str(), all.device.c_str());
     if (answer.quick) printDetails(answer.bestSample(), details, by_time);
-    print("why: of %zu configs, %zu have %s; this one is the fastest of those%s\n", all.list.size(),
-          answer.choice.within.size(), limitText(answer.limits).c_str(),
+    print("why: of %zu measured configs, %zu have %s; this one is the fastest of those%s\n",
+          all.list.size(), answer.choice.within.size(), limitText(answer.limits).c_str(),
           by_time ? "" : " whose error is within 5 % of the lowest");
+    if (details.ruled_out + details.not_begun > 0)
+        print("not measured: %zu that small pictures ruled out, %zu that there was no time for\n",
+              details.ruled_out, details.not_begun);
     printOthers(answer, "also within:", answer.choice.within, 1);
     printOthers(answer, "over a limit:", answer.choice.beyond, 0);
     for (const std::string& elided : all.elided) print("left out: %s\n", elided.c_str());
@@ -377,10 +380,13 @@ int chooseConfig(const ChooseOptions& options, bool has_scene)
     chosen.config = answer->bestSample().config;
     chosen.overrides = answer->bestSample().overrides;
     Diagnostics written;
-    if (!options.write.empty())
-        append(written, savePatch(chosen, sources, options.write).diagnostics());
+    const auto add = [&written](const std::string& file, const Status& done) {
+        append(written, done.diagnostics());
+        if (done) printMessage("wrote %s\n", printableLine(file).c_str());
+    };
+    if (!options.write.empty()) add(options.write, savePatch(chosen, sources, options.write));
     if (!options.write_front.empty())
-        append(written, writeFront(*answer, chosen, sources, options.write_front).diagnostics());
+        add(options.write_front, writeFront(*answer, chosen, sources, options.write_front));
     return report(written, false);
 }
 
@@ -406,7 +412,8 @@ void addChooseCommand(CLI::App& app, int& exit_code)
             each->excludes("RESULTS");
     command->add_option("--budget", options->budget,
                         "Name the config with the lowest error that adds at most this time to a "
-                        "frame: 2ms, 500us, or 0.5x for half the time of learnopengl");
+                        "frame that has its geometry: 2ms, 500us, or 0.5x for half the time of "
+                        "learnopengl");
     command
         ->add_option("--error", options->error,
                      "Name the fastest config whose rmse is at most this, such as 0.06; with "

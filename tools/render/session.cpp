@@ -62,7 +62,7 @@ Result<std::vector<Picture>> readRequests(const RenderOptions& options)
             return std::filesystem::absolute(file).lexically_normal();
         };
         for (const Picture& other : pictures)
-            if (whole(other.request.file) == whole(request->file))
+            if (!other.request.file.empty() && whole(other.request.file) == whole(request->file))
                 return Diagnostic{Code::usage, "two --out write '" + request->file + "'",
                                   "give each a file of its own"};
         pictures.push_back({*request, {}});

@@ -138,8 +138,9 @@ public:
     OutputTexture outputTexture(std::string_view name, int view = 0) const;
 
     /// The red of an output's first pixel two or three frames ago: of outputs that are one number,
-    /// such as "doubt_rmse". Read without a wait, from the first call on; nothing before it is
-    /// there, and where it is not drawn (<crevice/renderer.h>, follow).
+    /// such as "doubt_rmse". Never waits: the first call has `render` read it from then on and
+    /// gives nothing, later ones give it two or three frames on. Never gives anything where the
+    /// output is not drawn: ask for it in `create`.
     std::optional<float> value(std::string_view output);
 
     /// Draws an output into a framebuffer or texture of the host's, scaled to a rectangle in it;

@@ -60,6 +60,9 @@ expect 0 "skinned.glsl:8:.* CV6020: pass '.*' draws mesh '.*' with the uniform b
     render "$(dirname -- "$readme")/tools/examples/host_draws/skinned.json" "${small[@]}" --out ao=skinned.png
 check "no other cause is named" bash -c '! grep -qE "CV(4001|7008|9003)" stderr.txt'
 
+# A number is printed, wherever it stands.
+expect 0 'doubt_rmse is 0.' render mobile "${small[@]}" --out doubt_rmse --out ao=numbered.png
+
 # A picture that shows no ambient occlusion says why.
 expect 0 'warning CV7008: the camera sees no surface' render gtao "${small[@]}" \
     --camera 'eye=0,1,100;at=0,1,200' --out color=lit.png

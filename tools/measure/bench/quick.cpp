@@ -354,6 +354,9 @@ QuickDetails QuickBench::detailsOf(const BenchSample& sample) const
     details.ms_margin = ms.high - ms.value;
     details.sure = sureness(standings(), place, options_.limits);
     details.dark = it.full.error.dark;
+    details.ruled_out = std::count_if(entrants_.begin(), entrants_.end(),
+                                      [](const Entrant& each) { return !each.full; });
+    details.not_begun = options_.configs.size() - next_config_;
     if (it.label() == leader_) details.frame = shares_;
     for (const Entrant& other : entrants_) {
         const std::string setting = settingApart(it, other);

@@ -40,10 +40,12 @@ struct QuickDetails {
         bool rough = false;  ///< By small pictures.
     };
 
-    double error_margin = 0;  ///< Half the width of the error's 95 % interval.
-    double ms_margin = 0;     ///< Of the cost's.
-    double sure = 0;          ///< As sureness() has it.
-    double dark = 0;          ///< Share of the squared error where the picture is too dark.
+    double error_margin = 0;    ///< Half the width of the error's 95 % interval.
+    double ms_margin = 0;       ///< Of the cost's.
+    double sure = 0;            ///< As sureness() has it.
+    double dark = 0;            ///< Share of the squared error where the picture is too dark.
+    std::size_t ruled_out = 0;  ///< Configs and settings that were drawn in a small picture alone.
+    std::size_t not_begun = 0;  ///< Configs, for want of time.
     std::vector<Neighbour> neighbours;
     FrameShares frame;  ///< Zeros of any but the answer.
 };

@@ -281,18 +281,22 @@ private:
         }
         if (!mask) return mask.diagnostics();
         long long count = 0, bad = 0;
+        float least = std::numeric_limits<float>::max(), most = -least;
         // Behind the first channel others may hold anything, such as a depth.
         const std::size_t step = where.empty() ? 1 : got.channels;
         for (std::size_t i = 0; i < got.pixels.size(); i += step) {
             if (!(mask->pixels[i / got.channels] > kOpenTruth)) continue;
             ++count;
             bad += !(got.pixels[i] >= low && got.pixels[i] <= high);
+            least = std::min(least, got.pixels[i]);
+            most = std::max(most, got.pixels[i]);
         }
         const double share = check.has("share") ? check["share"] : 0;
         judged(count > 0 && bad <= share * static_cast<double>(count),
                count == 0 ? "there is no pixel" + where
                           : partText(bad, count) + " values" + where + " are " + outside +
-                                (share > 0 ? ", at most " + percent(share) : ""),
+                                (share > 0 ? ", at most " + percent(share) : "") + "; they are " +
+                                significant(least, 3) + " to " + significant(most, 3),
                result);
         return keepPictures(cell, got, nullptr, result);
     }

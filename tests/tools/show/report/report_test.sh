@@ -25,7 +25,7 @@ expect 4 'CV7007' report results.jsonl --out nowhere/a.html
 
 # --- choose ---
 expect 0 '^fine samples=4$' choose results.jsonl --budget 3ms
-expect 0 'why: of 5 configs, 3 have at most 3 ms; this one is the fastest of those whose error is within 5 %' choose results.jsonl --budget 3ms
+expect 0 'why: of 5 measured configs, 3 have at most 3 ms; this one is the fastest of those whose error is within 5 %' choose results.jsonl --budget 3ms
 expect 0 'render fine --set samples=16 --scene room --size 960x540 --out ao=ao.png --frames 32' choose results.jsonl --error 0.045
 expect 0 '"config": "fine"' choose results.jsonl --budget 3000us --json
 expect_json

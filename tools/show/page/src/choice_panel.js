@@ -21,6 +21,7 @@ export function makeChoice(app) {
     "All configs against the ray-traced truth in this view, in turns with learnopengl: about a minute.");
   const table = add(form, "table", {id: "found", "aria-label": "Error and cost of configs, by rising cost"});
   let running = false;
+  for (const event of ["scene", "camera", "size"]) app.on(event, stop);  // it is of one view
 
   function stop() {
     running = false;
