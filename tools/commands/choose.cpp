@@ -5,6 +5,7 @@
 #include "tools/commands/commands.h"
 #include "tools/measure/bench/choice.h"
 #include "tools/measure/bench/quick.h"
+#include "tools/measure/bench/run.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/read_output.h"

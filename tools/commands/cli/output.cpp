@@ -237,15 +237,6 @@ double clockSeconds()
         .count();
 }
 
-Result<NamedFile> parseNamedFile(const char* option, const std::string& text, std::string help)
-{
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-        return Diagnostic{Code::usage, option + (" '" + text) + "' is not NAME=FILE",
-                          std::move(help)};
-    return NamedFile{text.substr(0, equals), text.substr(equals + 1)};
-}
-
 Result<NamedFile> parseOutputRequest(const std::string& text)
 {
     const auto is_file = [](const std::string& file) {

@@ -97,7 +97,15 @@ struct NamedFile {
 
 /// Reads the text of an option. Errors: CV8001 with `help` where either side of the first '=' is
 /// missing.
-Result<NamedFile> parseNamedFile(const char* option, const std::string& text, std::string help);
+inline Result<NamedFile> parseNamedFile(const char* option, const std::string& text,
+                                        std::string help)
+{
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        return Diagnostic{Code::usage, option + (" '" + text) + "' is not NAME=FILE",
+                          std::move(help)};
+    return NamedFile{text.substr(0, equals), text.substr(equals + 1)};
+}
 
 /// What `crevice render --out NAME=FILE` asks for: an output, a debug view or any target, in a
 /// .png, .pfm or .exr; or with NAME alone, and an empty file, one that is a number, to be printed.
