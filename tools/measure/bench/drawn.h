@@ -34,6 +34,10 @@ struct Drawn {
     Status prepare(Device& device, const Description& description, const Frame& scene,
                    const CompileOptions& options);
 
+    /// Takes the host's frame for another of the scene, or again after its camera was moved.
+    /// Requires `prepare`. Errors: those of Renderer::render.
+    Status handOver(const Frame& scene);
+
     /// Lets go of all textures, and keeps the programs: many are known at once.
     void rest();
 };

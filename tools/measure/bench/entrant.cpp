@@ -194,9 +194,7 @@ Status ViewMeter::measureFlicker(Entrant& entrant)
     if (!moved) return moved.diagnostics();
     entrant.motion = std::move(*moved);
     entrant.small.with_flicker = std::hypot(entrant.small.error.rmse, flickerOf(entrant.motion));
-    Result<Frame> back = entrant.drawn.host->frameOf(small_.frame);  // before the camera moved
-    if (back) entrant.drawn.frame = std::move(*back);
-    return back.diagnostics();
+    return entrant.drawn.handOver(small_.frame);  // as before the camera moved
 }
 
 Result<FrameShares> ViewMeter::sharesOf(Entrant& entrant)

@@ -133,9 +133,14 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     const Result<Image> ao = drawSettled(device_, *drawn.renderer, drawn.frame, kOcclusionOutput);
     if (!ao) return ao.diagnostics();
     if (options_.motion) measureMotion(task, drawn, sample);
-    if (sample.output != kOcclusionOutput) drawn.renderer.reset();
-    if (const Status ready = prepare(sample.output); !ready)  // as before the camera moved
-        return ready.diagnostics();
+    Status ready;
+    if (sample.output != kOcclusionOutput) {
+        drawn.renderer.reset();
+        ready = prepare(sample.output);
+    } else if (options_.motion) {
+        ready = drawn.handOver(setting_->frame);  // as before the camera moved
+    }
+    if (!ready) return ready.diagnostics();
     if (const Status timed = measureTimes(task, drawn, sample); !timed) return timed.diagnostics();
     if (const Status known = measureErrors(*ao, sample); !known) return known.diagnostics();
     if (const Status kept = writePictures(task, *ao, sample); !kept) return kept.diagnostics();

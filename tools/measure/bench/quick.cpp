@@ -289,8 +289,6 @@ bool QuickBench::refine()
 
 Result<bool> QuickBench::step()
 {
-    const auto presets =
-        std::count_if(options_.configs.begin(), options_.configs.end(), isPresetConfig);
     switch (stage_) {
     case Stage::begin: {
         Entrant first{options_.configs.front(), options_.overrides};
@@ -298,12 +296,15 @@ Result<bool> QuickBench::step()
         stage_ = Stage::first_look;
         return true;
     }
-    case Stage::first_look:
+    case Stage::first_look: {
+        const auto presets =
+            std::count_if(options_.configs.begin(), options_.configs.end(), isPresetConfig);
         if (next_config_ < std::max<std::size_t>(kLeastFirst, presets) && enterNext()) return true;
         sayLeader(true);
         if (const Status opened = meter_.openFull(); !opened) return opened.diagnostics();
         stage_ = Stage::truth;
         return true;
+    }
     case Stage::truth: {
         const Result<bool> grown = meter_.grow(kFullPixels);
         if (grown && !*grown) stage_ = Stage::race;
