@@ -92,6 +92,7 @@ typedef void(GL_APIENTRYP PFNGLGETBUFFERSUBDATAPROC)(GLenum target, GLintptr off
     X(GenSamplers, GENSAMPLERS, true) \
     X(GenTextures, GENTEXTURES, true) \
     X(GenVertexArrays, GENVERTEXARRAYS, true) \
+    X(GenerateMipmap, GENERATEMIPMAP, true) \
     X(GetActiveUniform, GETACTIVEUNIFORM, true) \
     X(GetBooleanv, GETBOOLEANV, true) \
     X(GetBufferParameteriv, GETBUFFERPARAMETERIV, true) \
@@ -141,6 +142,7 @@ typedef void(GL_APIENTRYP PFNGLGETBUFFERSUBDATAPROC)(GLenum target, GLintptr off
     X(ScissorIndexed, SCISSORINDEXEDOES, false) \
     X(ShaderSource, SHADERSOURCE, true) \
     X(TexImage2D, TEXIMAGE2D, true) \
+    X(TexImage3D, TEXIMAGE3D, true) \
     X(TexParameteri, TEXPARAMETERI, true) \
     X(TexStorage2D, TEXSTORAGE2D, false) \
     X(TexSubImage2D, TEXSUBIMAGE2D, true) \

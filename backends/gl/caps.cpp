@@ -261,6 +261,7 @@ DeviceCaps readCaps(GlApi& gl, const GlInfo& info)
     gl.emulates_mediump = caps.software;
     caps.equal_attachments = info.web;  // WebGL 2.0, 4.1.5: else a framebuffer is incomplete
     caps.max_texture_size = integer(gl, GL_MAX_TEXTURE_SIZE);
+    caps.max_volume_size = integer(gl, GL_MAX_3D_TEXTURE_SIZE);
     caps.max_color_attachments = std::min({integer(gl, GL_MAX_COLOR_ATTACHMENTS),
                                            integer(gl, GL_MAX_DRAW_BUFFERS), kMaxColorAttachments});
     caps.max_texture_units = std::min(integer(gl, GL_MAX_TEXTURE_IMAGE_UNITS), kMaxTextureUnits);

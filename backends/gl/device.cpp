@@ -80,15 +80,17 @@ Status GlDevice::prepare(const ProgramCache& program_cache)
 
 void GlDevice::makeSamplers()
 {
-    for (Filter filter : {Filter::nearest, Filter::linear}) {
+    for (Filter filter : {Filter::nearest, Filter::linear, Filter::trilinear}) {
         for (Wrap wrap : {Wrap::clamp, Wrap::repeat}) {
-            const GLint filter_mode = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
+            const GLint filter_mode = filter == Filter::nearest ? GL_NEAREST : GL_LINEAR;
+            const GLint smaller =
+                filter == Filter::trilinear ? GL_LINEAR_MIPMAP_LINEAR : filter_mode;
             const GLint wrap_mode = wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
             auto made = GlSampler::make(gl_);
-            gl_.SamplerParameteri(made.name(), GL_TEXTURE_MIN_FILTER, filter_mode);
+            gl_.SamplerParameteri(made.name(), GL_TEXTURE_MIN_FILTER, smaller);
             gl_.SamplerParameteri(made.name(), GL_TEXTURE_MAG_FILTER, filter_mode);
-            gl_.SamplerParameteri(made.name(), GL_TEXTURE_WRAP_S, wrap_mode);
-            gl_.SamplerParameteri(made.name(), GL_TEXTURE_WRAP_T, wrap_mode);
+            for (const GLenum along : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+                gl_.SamplerParameteri(made.name(), along, wrap_mode);
             samplers_[static_cast<int>(filter)][static_cast<int>(wrap)] = std::move(made);
         }
     }
@@ -96,25 +98,32 @@ void GlDevice::makeSamplers()
 
 Result<TextureId> GlDevice::createTexture(const TextureDesc& desc)
 {
-    const int limit = caps_.max_texture_size;
-    if (desc.extent.width > limit || desc.extent.height > limit)
-        return failure(Code::too_big_for_device,
-                       "texture '" + desc.label + "' is " + std::to_string(desc.extent.width) +
-                           "x" + std::to_string(desc.extent.height) +
-                           " pixels; this device holds " + std::to_string(limit) + " a side",
-                       "render at a smaller size");
+    const int limit = desc.depth > 0 ? caps_.max_volume_size : caps_.max_texture_size;
+    const int longest = std::max({desc.extent.width, desc.extent.height, desc.depth});
+    if (longest > limit)
+        return failure(
+            Code::too_big_for_device,
+            "texture '" + desc.label + "' is " + std::to_string(desc.extent.width) + "x" +
+                std::to_string(desc.extent.height) +
+                (desc.depth > 0 ? "x" + std::to_string(desc.depth) + " voxels" : " pixels") +
+                "; this device holds " + std::to_string(limit) + " a side",
+            "render at a smaller size");
     if (Status status = checkCurrent(); !status) return status.diagnostics();
     if (desc.samples > 1) return createMultisampled(desc);
     Scope scope(*this);
     auto texture = GlTexture::make(gl_);
-    state_.bindTexture(0, texture.name(), 0);
-    allocateTexture(gl_, glFormat(desc.format).internal, desc.extent);
+    const GLuint name = texture.name();
+    TextureSlot slot{std::move(texture), {}, name, desc.format, desc.extent};
+    slot.depth = desc.depth;
+    slot.mips = desc.mips;
+    state_.bindTexture(0, name, 0, slot.target());
+    int levels = 1;
+    while (desc.mips && longest >> levels > 0) ++levels;
+    allocateTexture(gl_, glFormat(desc.format).internal, desc.extent, desc.depth, levels);
     if (Status status = takeErrors(gl_, "createTexture", desc.label.c_str()); !status)
         return status.diagnostics();
-    setLabel(gl_, GL_TEXTURE, texture.name(), desc.label);
-    const GLuint name = texture.name();
-    return TextureId{
-        textures_.add({std::move(texture), {}, name, desc.format, desc.extent, 1, {}})};
+    setLabel(gl_, GL_TEXTURE, name, desc.label);
+    return TextureId{textures_.add(std::move(slot))};
 }
 
 Result<TextureId> GlDevice::createMultisampled(const TextureDesc& desc)
@@ -196,14 +205,27 @@ Status GlDevice::refresh(TextureId id)
     return status ? status : unlessLost(status, "refresh");
 }
 
-void GlDevice::attach(GLenum point, TextureId id)
+void GlDevice::attach(GLenum point, TextureId id, int layer)
 {
     const TextureSlot& texture = textures_.at(id.value);
-    if (texture.renderbuffer.name() != 0)
+    if (texture.depth > 0)
+        gl_.FramebufferTextureLayer(GL_FRAMEBUFFER, point, texture.name, 0, layer);
+    else if (texture.renderbuffer.name() != 0)
         gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, texture.name);
     else
         gl_.FramebufferTexture2D(GL_FRAMEBUFFER, point, texture.target(), texture.name, 0);
 }
+
+namespace {
+
+// Of a volume that stands at several places, each has the next layer.
+int layerOf(const std::vector<TextureId>& color, int place)
+{
+    const auto same = [&](TextureId id) { return id.value == color[place].value; };
+    return static_cast<int>(std::count_if(color.begin(), color.begin() + place, same));
+}
+
+}  // namespace
 
 Status GlDevice::fill(GlFramebuffer& framebuffer, const std::string& label,
                       const std::vector<TextureId>& color, TextureId depth)
@@ -214,9 +236,9 @@ Status GlDevice::fill(GlFramebuffer& framebuffer, const std::string& label,
     std::array<GLenum, kMaxColorAttachments> buffers = {GL_NONE};
     for (int i = 0; i < count; ++i) {
         buffers[i] = color[i] ? GL_COLOR_ATTACHMENT0 + i : GL_NONE;
-        if (color[i]) attach(buffers[i], color[i]);
+        if (color[i]) attach(buffers[i], color[i], layerOf(color, i));
     }
-    if (depth) attach(GL_DEPTH_ATTACHMENT, depth);
+    if (depth) attach(GL_DEPTH_ATTACHMENT, depth, 0);
     gl_.DrawBuffers(std::max(count, 1), buffers.data());
     // Desktop OpenGL before 4.1 wants what is read to be there.
     const auto first =
@@ -265,6 +287,7 @@ Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
     if (Status status = checkAttachments(*this, desc); !status) return status.diagnostics();
     if (Status status = fill(slot.drawn, desc.label, desc.color, desc.depth); !status)
         return status.diagnostics();
+    slot.color = desc.color;
     const auto& colors = desc.resolve_color;
     const auto used = [](TextureId id) { return static_cast<bool>(id); };
     if (desc.resolve_depth || std::any_of(colors.begin(), colors.end(), used)) {
@@ -291,6 +314,7 @@ ObjectInfo GlDevice::info(ObjectId id) const
             ObjectInfo info{true, texture->renderbuffer.name() != 0 ? 0 : texture->name,
                             texture->samples};
             info.format = texture->format;
+            info.depth = texture->depth;
             return info;
         }
         return {};
@@ -305,6 +329,7 @@ ObjectInfo GlDevice::info(ObjectId id) const
                     mesh->normals,
                     mesh->uv,
                     Format::none,
+                    0,
                     &mesh->sheets};
         return {};
     case ObjectId::Kind::program: return {programs_.find(id.value) != nullptr};
@@ -312,6 +337,25 @@ ObjectInfo GlDevice::info(ObjectId id) const
     case ObjectId::Kind::timer: return {timers_.find(id.value) != nullptr};
     }
     return {};
+}
+
+void GlDevice::attachLayers(const FramebufferSlot& framebuffer)
+{
+    for (int i = 0; i < static_cast<int>(framebuffer.color.size()); ++i) {
+        const TextureId id = framebuffer.color[i];
+        if (id && textures_.at(id.value).depth > 0)
+            attach(GL_COLOR_ATTACHMENT0 + i, id, pass_.first_layer + layerOf(framebuffer.color, i));
+    }
+}
+
+void GlDevice::makeMips(const FramebufferSlot& framebuffer)
+{
+    for (const TextureId id : framebuffer.color) {
+        const TextureSlot* texture = textures_.find(id.value);
+        if (!texture || !texture->mips) continue;
+        state_.bindTexture(0, texture->name, 0, texture->target());
+        gl_.GenerateMipmap(texture->target());
+    }
 }
 
 void GlDevice::destroy(ObjectId id)

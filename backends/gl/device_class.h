@@ -77,20 +77,27 @@ private:
         Format format;
         Extent extent;
         int samples = 1;
-        GlHostCopy copy;  // nothing where no copy is kept of the host's
+        GlHostCopy copy = {};  // nothing where no copy is kept of the host's
         GlRead read = {};
+        int depth = 0;  // layers of a volume
+        bool mips = false;
 
         /// Whether it is the host's own, which may have deleted it.
         bool adopted() const
         {
             return owned.name() == 0 && renderbuffer.name() == 0 && copy.texture() == 0;
         }
-        GLenum target() const { return samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
+        GLenum target() const
+        {
+            if (depth > 0) return GL_TEXTURE_3D;
+            return samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+        }
     };
 
     struct FramebufferSlot {
         GlFramebuffer drawn;
         GlFramebuffer resolved;  // nothing where a pixel has one sample
+        std::vector<TextureId> color = {};
     };
 
     struct MeshSlot {
@@ -142,7 +149,11 @@ private:
 
     /// A failure, or CV6016 where the reason is that the context is lost.
     Status unlessLost(const Status& failed, const char* what);
-    void attach(GLenum point, TextureId id);
+    void attach(GLenum point, TextureId id, int layer);
+
+    /// Has the running pass draw into its layers of volumes.
+    void attachLayers(const FramebufferSlot& framebuffer);
+    void makeMips(const FramebufferSlot& framebuffer);
     void multiplyColors();
     Status fill(GlFramebuffer& framebuffer, const std::string& label,
                 const std::vector<TextureId>& color, TextureId depth);
@@ -170,7 +181,7 @@ private:
     GLint mark_divisor_ = 0;
     GlProgramCache program_cache_;
     GlCopier copier_;
-    GlSampler samplers_[2][2];
+    GlSampler samplers_[3][2];
     GlTimers timing_;
     GlReads reads_;
     GlPool<TextureSlot> textures_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends/gl/formats.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -13,6 +14,7 @@ namespace {
 const GlFormat kFormats[] = {
     {Format::r8, GL_R8, GL_RED, GL_UNSIGNED_BYTE},
     {Format::rg8, GL_RG8, GL_RG, GL_UNSIGNED_BYTE},
+    {Format::rgb565, GL_RGB565, GL_RGB, GL_UNSIGNED_SHORT_5_6_5},
     {Format::rgba8, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
     {Format::rgb10_a2, GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV},
     {Format::r16f, GL_R16F, GL_RED, GL_FLOAT},
@@ -77,6 +79,9 @@ void appendPixel(std::vector<std::uint8_t>& bytes, const Pixel& p, GLenum type, 
                           toUnorm(p[0], 10));
         return;
     }
+    if (type == GL_UNSIGNED_SHORT_5_6_5)
+        return append(bytes, static_cast<std::uint16_t>(toUnorm(p[0], 5) << 11 |
+                                                        toUnorm(p[1], 6) << 5 | toUnorm(p[2], 5)));
     for (int c = 0; c < channels; ++c) {
         if (type == GL_UNSIGNED_BYTE) append(bytes, static_cast<std::uint8_t>(toUnorm(p[c], 8)));
         if (type == GL_UNSIGNED_SHORT) append(bytes, static_cast<std::uint16_t>(toUnorm(p[c], 16)));
@@ -96,20 +101,29 @@ const GlFormat& glFormat(Format format)
     return kFormats[static_cast<int>(format) - 1];
 }
 
-void allocateTexture(const GlApi& gl, GLenum internal, Extent extent)
+void allocateTexture(const GlApi& gl, GLenum internal, Extent extent, int depth, int levels)
 {
+    const GLenum target = depth > 0 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-    if (gl.TexStorage2D) {
-        gl.TexStorage2D(GL_TEXTURE_2D, 1, internal, extent.width, extent.height);
+        gl.TexParameteri(target, filter, GL_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        gl.TexParameteri(target, wrap, GL_CLAMP_TO_EDGE);
+    if (gl.TexStorage2D && depth == 0) {
+        gl.TexStorage2D(target, levels, internal, extent.width, extent.height);
         return;
     }
     const GlFormat& format = formatOfInternal(internal);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), extent.width, extent.height, 0,
-                  format.upload_format, format.upload_type, nullptr);
+    gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    for (int level = 0; level < levels; ++level) {
+        const auto edge = [level](int texels) { return std::max(texels >> level, 1); };
+        const auto of_level = static_cast<GLint>(internal);
+        if (depth > 0)
+            gl.TexImage3D(target, level, of_level, edge(extent.width), edge(extent.height),
+                          edge(depth), 0, format.upload_format, format.upload_type, nullptr);
+        else
+            gl.TexImage2D(target, level, of_level, edge(extent.width), edge(extent.height), 0,
+                          format.upload_format, format.upload_type, nullptr);
+    }
 }
 
 std::vector<std::uint8_t> packPixels(const Image& image, Format format)

@@ -25,7 +25,8 @@ const GlFormat& glFormat(Format format);
 
 /// Gives the bound GL_TEXTURE_2D one level of that size, nearest and clamped for hosts that bind no
 /// sampler object. Its content is undefined. Errors stay pending.
-void allocateTexture(const GlApi& gl, GLenum internal, Extent extent);
+void allocateTexture(const GlApi& gl, GLenum internal, Extent extent, int depth = 0,
+                     int levels = 1);
 
 /// An image's pixels as uploaded to `format`: tightly packed rows. Channels that the image lacks
 /// are 0, alpha 1; those that the format lacks are dropped. What a normalised format cannot hold

@@ -97,7 +97,9 @@ Status GlDevice::endFrame()
 void GlDevice::beginPass(const PassInfo& pass)
 {
     pass_ = pass;
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_.at(pass.framebuffer.value).drawn.name());
+    const FramebufferSlot& framebuffer = framebuffers_.at(pass.framebuffer.value);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.drawn.name());
+    attachLayers(framebuffer);
     state_.unmask();
     invalidate(gl_, pass, pass.color_load, pass.depth_load, LoadOp::discard);
     clear(gl_, pass);
@@ -142,6 +144,7 @@ void GlDevice::endPass()
     const FramebufferSlot& framebuffer = framebuffers_.at(pass_.framebuffer.value);
     if (framebuffer.resolved.name() != 0) resolve(framebuffer);
     invalidate(gl_, pass_, pass_.color_store, pass_.depth_store, StoreOp::discard);
+    if (pass_.makes_mips) makeMips(framebuffer);
     noteErrors("pass", pass_.label);
 }
 
@@ -154,10 +157,11 @@ void GlDevice::setProgram(ProgramId id, const StateDesc& state)
     gl_.DepthMask(state.depth_write);
     state_.setEnabled(GL_CULL_FACE, state.cull != Cull::none);
     gl_.CullFace(state.cull == Cull::front ? GL_FRONT : GL_BACK);
-    state_.setEnabled(GL_BLEND, state.blend);
-    if (!state.blend) return;
+    state_.setEnabled(GL_BLEND, state.blend != Blend::none);
+    if (state.blend == Blend::none) return;
     gl_.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl_.BlendEquation(GL_FUNC_ADD);
+    constexpr GLenum kEquations[] = {GL_FUNC_ADD, GL_FUNC_ADD, GL_MIN, GL_MAX};  // by Blend
+    gl_.BlendEquation(kEquations[static_cast<int>(state.blend)]);
 }
 
 void GlDevice::setTexture(int location, int unit, TextureId id, const SamplerDesc& desc)

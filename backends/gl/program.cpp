@@ -189,6 +189,7 @@ void setUniformValues(const GlApi& gl, int location, GlslType type, int count, c
     case GlslType::mat4: gl.UniformMatrix4fv(location, count, GL_FALSE, floats); break;
     case GlslType::sampler2d:
     case GlslType::sampler2d_ms:
+    case GlslType::sampler3d:
     case GlslType::other: assert(false && "set samplers with setTexture"); break;
     }
 }

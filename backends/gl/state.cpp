@@ -197,11 +197,14 @@ void GlState::bindTexture(int unit, GLuint texture, GLuint sampler, GLenum targe
         gl_.GetIntegerv(GL_SAMPLER_BINDING, &units_[unit].sampler);
         saved_units_ |= bit;
     }
-    const bool multisampled = target == GL_TEXTURE_2D_MULTISAMPLE;
-    if (restore_ && depth_ > 0 && multisampled && !(saved_multisampled_ & bit)) {
-        gl_.GetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &units_[unit].multisampled);
-        saved_multisampled_ |= bit;
-    }
+    const auto keep = [&](GLenum kind, GLenum binding, GLint& bound, std::uint32_t& saved) {
+        if (!restore_ || depth_ == 0 || target != kind || saved & bit) return;
+        gl_.GetIntegerv(binding, &bound);
+        saved |= bit;
+    };
+    keep(GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE, units_[unit].multisampled,
+         saved_multisampled_);
+    keep(GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D, units_[unit].volume, saved_volumes_);
     gl_.BindTexture(target, texture);
     gl_.BindSampler(unit, sampler);
 }
@@ -334,8 +337,9 @@ void GlState::restoreUnits()
         gl_.BindSampler(unit, units_[unit].sampler);
         if (saved_multisampled_ >> unit & 1)
             gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, units_[unit].multisampled);
+        if (saved_volumes_ >> unit & 1) gl_.BindTexture(GL_TEXTURE_3D, units_[unit].volume);
     }
-    saved_units_ = saved_multisampled_ = 0;
+    saved_units_ = saved_multisampled_ = saved_volumes_ = 0;
 }
 
 bool GlState::feedbackRuns() const

@@ -93,7 +93,7 @@ private:
     };
 
     struct Unit {
-        GLint texture, sampler, multisampled;
+        GLint texture, sampler, multisampled, volume;
     };
 
     struct Saved {
@@ -144,6 +144,7 @@ private:
     Unit units_[kMaxTextureUnits] = {};
     std::uint32_t saved_units_ = 0;         // a bit for each
     std::uint32_t saved_multisampled_ = 0;  // likewise
+    std::uint32_t saved_volumes_ = 0;       // likewise
 };
 
 }  // namespace crevice

@@ -30,6 +30,7 @@ DeviceCaps generousCaps()
     caps.name = "recording device";
     caps.version = 320;
     caps.max_texture_size = 16384;
+    caps.max_volume_size = 2048;
     caps.max_color_attachments = kMaxColorAttachments;
     caps.max_texture_units = 32;
     caps.max_fragment_uniform_vectors = 1024;
@@ -123,8 +124,9 @@ Result<TextureId> RecordingDevice::createTexture(const TextureDesc& desc)
 {
     Diagnostics errors;
     if (failsNow(errors, "texture '" + desc.label + "'")) return errors;
-    const int longest = std::max(desc.extent.width, desc.extent.height);
-    if (std::min(desc.extent.width, desc.extent.height) < 1 || longest > caps_.max_texture_size)
+    const int longest = std::max({desc.extent.width, desc.extent.height, desc.depth});
+    if (std::min(desc.extent.width, desc.extent.height) < 1 ||
+        longest > (desc.depth > 0 ? caps_.max_volume_size : caps_.max_texture_size))
         blame("texture '" + desc.label + "' has a size that cannot be");
     Object object{ObjectId::Kind::texture, desc.label};
     object.texture = desc;
@@ -241,6 +243,7 @@ ObjectInfo RecordingDevice::info(ObjectId id) const
             object->normals,
             object->uv,
             object->texture.format,
+            object->texture.depth,
             &object->sheets};
 }
 

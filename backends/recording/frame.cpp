@@ -79,8 +79,15 @@ void RecordingDevice::beginPass(const PassInfo& pass)
         pass.has_depth != static_cast<bool>(desc.depth))
         blame("pass '" + std::string(pass.label) + "' has other attachments than its framebuffer");
     const int count = std::min(pass.color_count, static_cast<int>(desc.color.size()));
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         loadAttachment(desc.color[i], pass.color_load[i], pass.color_store[i]);
+        int last_layer = pass.first_layer;
+        for (int j = 0; j < i; ++j) last_layer += desc.color[j].value == desc.color[i].value;
+        const Object* texture = desc.color[i] ? objectOf(desc.color[i].value) : nullptr;
+        if (texture && texture->texture.depth > 0 && last_layer >= texture->texture.depth)
+            blame("pass '" + std::string(pass.label) + "' draws past the last layer of texture '" +
+                  texture->label + "'");
+    }
     loadAttachment(desc.depth, pass.depth_load, pass.depth_store);
 }
 
@@ -112,7 +119,7 @@ void RecordingDevice::setProgram(ProgramId id, const StateDesc& state)
 {
     record(Call::set_program, id.value,
            {static_cast<std::uint32_t>(state.depth_test), state.depth_write ? 1u : 0u,
-            static_cast<std::uint32_t>(state.cull), state.blend ? 1u : 0u});
+            static_cast<std::uint32_t>(state.cull), static_cast<std::uint32_t>(state.blend)});
     if (!in_pass_) blame("setProgram outside a pass");
     Object* program = find(id, "setProgram");
     program_ = program ? id.value : 0;
@@ -154,6 +161,10 @@ void RecordingDevice::setTexture(int location, int unit, TextureId id, const Sam
     if (unit < 0 || unit >= caps_.max_texture_units) blameSampler("gets a unit that is not there");
     if (!texture->defined)
         blameSampler("reads texture '" + texture->label + "', with undefined content");
+    if ((texture->texture.depth > 0) != (uniform.type == GlslType::sampler3d))
+        blameSampler("and texture '" + texture->label + "' are a picture and a volume");
+    if (sampler.filter == Filter::trilinear && !texture->texture.mips)
+        blameSampler("reads texture '" + texture->label + "' between mips, which it has none of");
     if ((texture->texture.samples > 1) != (uniform.type == GlslType::sampler2d_ms))
         blameSampler("reads texture '" + texture->label + "', which has another count of samples");
     if (in_pass_ && uses(objects_.at(pass_.framebuffer.value).framebuffer, id.value))

@@ -22,7 +22,8 @@ constexpr const char* kCallNames[] = {
 constexpr const char* kCompareNames[] = {"always",  "less",          "less_equal",
                                          "greater", "greater_equal", "equal"};
 constexpr const char* kCullNames[] = {"none", "back", "front"};
-constexpr const char* kFilterNames[] = {"nearest", "linear"};
+constexpr const char* kFilterNames[] = {"nearest", "linear", "trilinear"};
+constexpr const char* kBlendNames[] = {"", " blend", " blend min", " blend max"};
 constexpr const char* kWrapNames[] = {"clamp", "repeat"};
 constexpr const char* kLoadNames[] = {"load", "clear", "discard"};
 constexpr const char* kStoreNames[] = {"store", "discard"};
@@ -72,6 +73,8 @@ std::string passText(const PassInfo& pass)
         addLoad(line, pass.color_load[i], pass.clear_color[i], 4);
         line.add(kStoreNames[static_cast<int>(pass.color_store[i])]);
     }
+    if (pass.first_layer > 0) line.add("from layer").addInteger(pass.first_layer);
+    if (pass.makes_mips) line.add("makes mips");
     if (pass.within_area)
         line.add("within").addInteger(pass.area.x).addInteger(pass.area.y).add(pass.area.extent);
     if (pass.at_depth >= 0) line.add("at depth").add(pass.at_depth);
@@ -85,7 +88,7 @@ std::string stateText(const std::uint32_t* words)
 {
     return std::string(" depth_test ") + kCompareNames[words[0]] +
            (words[1] ? " depth_write" : "") + " cull " + kCullNames[words[2]] +
-           (words[3] ? " blend" : "");
+           kBlendNames[words[3]];
 }
 
 }  // namespace
@@ -164,6 +167,8 @@ std::string RecordingDevice::createdText(const Object& object) const
         line.add(formatInfo(object.texture.format).name).add(object.texture.extent);
     if (object.kind == ObjectId::Kind::texture && object.texture.samples > 1)
         line.addInteger(object.texture.samples).add("samples");
+    if (object.texture.depth > 0) line.addInteger(object.texture.depth).add("layers");
+    if (object.texture.mips) line.add("mips");
     if (object.kind == ObjectId::Kind::mesh) line.addInteger(object.index_count).add("indices");
     if (object.kind == ObjectId::Kind::framebuffer) {
         for (TextureId id : object.framebuffer.color) line.add("color").add(label(id.value));

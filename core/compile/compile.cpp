@@ -157,9 +157,11 @@ SamplerDesc samplingOf(const Read& read)
 
 std::vector<int> writtenBy(const Pass& pass)
 {
-    std::vector<int> targets = pass.color;
-    targets.push_back(pass.depth);
-    targets.erase(std::remove(targets.begin(), targets.end(), -1), targets.end());
+    std::vector<int> targets;
+    for (const int target : pass.color)
+        if (target >= 0 && std::count(targets.begin(), targets.end(), target) == 0)
+            targets.push_back(target);
+    if (pass.depth >= 0) targets.push_back(pass.depth);
     return targets;
 }
 

@@ -136,7 +136,8 @@ void checkBlending(State& state, const Pass& pass)
 {
     for (const int target : pass.color) {
         const FormatInfo& format = formatInfo(state.targets[target].format);
-        if (!pass.desc->state.blend || !state.targets[target].textured || format.filterable)
+        if (pass.desc->state.blend == Blend::none || !state.targets[target].textured ||
+            format.filterable)
             continue;
         report(state, Code::cannot_filter,
                quoted(pass) + " blends, and " + format.name + " of target '" +
@@ -148,14 +149,23 @@ void checkBlending(State& state, const Pass& pass)
 void checkSampling(State& state, const Pass& pass)
 {
     for (const Read& read : pass.reads) {
-        if (samplingOf(read).filter != Filter::linear) continue;
+        if (samplingOf(read).filter == Filter::nearest) continue;
         const std::optional<Source> source = resolve(state, read.named);
-        if (!source || !source->isTarget()) continue;
+        const bool mips = samplingOf(read).filter == Filter::trilinear;
+        const bool target = source && source->isTarget();
+        if (mips && !(target && state.description.targets[source->index].mips))
+            report(state, Code::cannot_filter,
+                   quoted(pass) + " reads '" + read.name +
+                       "' with the filter trilinear, and it has no "
+                       "mips",
+                   *read.input,
+                   "give its target \"mips\": true, or read it with the filter linear");
+        if (!target) continue;
         const FormatInfo& format = formatInfo(state.targets[source->index].format);
         if (format.filterable) continue;
         report(state, Code::cannot_filter,
-               quoted(pass) + " reads '" + read.name + "' with the filter linear, and " +
-                   format.name + " of target '" + nameOf(state, source->index) +
+               quoted(pass) + " reads '" + read.name + "' with a filter, and " + format.name +
+                   " of target '" + nameOf(state, source->index) +
                    "' cannot be filtered: it would read as black",
                *read.input,
                "read it with the filter nearest, or give the target a format that filters: r8, "

@@ -26,8 +26,15 @@ bool isMasked(const PlanPass& pass)
 
 double textureBytes(const PlanTexture& texture)
 {
-    return double(texture.extent.width) * texture.extent.height * texture.samples *
-           formatInfo(texture.format).bytes * texture.copies;
+    double texels = 0;
+    for (int level = 0; level == 0 || texture.mips; ++level) {
+        const auto edge = [level](int size) { return std::max(size >> level, 1); };
+        const double of_level =
+            double(edge(texture.extent.width)) * edge(texture.extent.height) * edge(texture.depth);
+        texels += of_level;
+        if (of_level == 1) break;
+    }
+    return texels * texture.samples * formatInfo(texture.format).bytes * texture.copies;
 }
 
 namespace compiler {
@@ -67,6 +74,16 @@ int addParam(const ParamDesc& desc, Plan& plan)
     if (const int known = indexOf(plan.params, desc.name); known >= 0) return known;
     plan.params.push_back({desc.name, glslTypeOf(desc.type), desc.value});
     return static_cast<int>(plan.params.size()) - 1;
+}
+
+int addBox(const State& state, const BoxDesc& desc, Plan& plan)
+{
+    if (const int known = indexOf(plan.boxes, desc.name); known >= 0) return known;
+    PlanBox box{desc.name, desc.edge.factor, {}, desc.steps};
+    for (const Reference& each : desc.edge.params)
+        box.params.push_back(addParam(*findNamed(state.description.params, each.name), plan));
+    plan.boxes.push_back(std::move(box));
+    return static_cast<int>(plan.boxes.size()) - 1;
 }
 
 // Those that some pass uses.
@@ -215,6 +232,12 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
         // What it draws over was resolved by the pass before.
         result.samples = result.over < 0 ? state.targets[written.front()].samples : 1;
     }
+    if (!pass.color.empty()) {
+        result.layers = state.targets[pass.color.front()].depth;
+        result.layers_at_once = layersAtOnce(pass);
+    }
+    if (const BoxDesc* box = findNamed(state.description.boxes, desc.box.name))
+        result.box = addBox(state, *box, plan);
     if (state.applies("frustum_culling")) result.frustum_scale = frustumScale(state, pass);
     addInputs(state, pass, result, plan);
     for (const int target : pass.color)
@@ -226,6 +249,8 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
         const Description& description = state.description;
         if (uniform.source == UniformSource::param)
             uniform.index = addParam(description.params[uniform.index], plan);
+        else if (uniform.source == UniformSource::box)
+            uniform.index = addBox(state, description.boxes[uniform.index], plan);
         else if (uniform.source == UniformSource::kernel)
             uniform.index = indexOf(plan.generated, description.generated[uniform.index].name);
         result.uniforms.push_back(std::move(uniform));
@@ -253,10 +278,17 @@ void boundPasses(const State& state, Plan& plan)
     }
 }
 
-// What is remembered lasts to the next frame, and so does an output.
+// What is remembered lasts to the next frame, and so does an output, and what a box's pass drew
+// that others read.
 void addOutputs(const State& state, Plan& plan)
 {
     const int end = static_cast<int>(plan.passes.size());
+    for (const PlanPass& pass : plan.passes)
+        for (const PlanInput& input : pass.inputs) {
+            if (input.kind != InputKind::target || pass.box >= 0) continue;
+            PlanTarget& target = plan.targets[input.index];
+            if (plan.passes[target.first_pass].box >= 0) target.last_pass = end;
+        }
     for (PlanTarget& target : plan.targets)
         if (state.targets[indexOf(state.description.targets, target.name)].remembered)
             target.last_pass = end;
@@ -305,7 +337,8 @@ struct Slots {
                                          each.extent.height >= wanted.extent.height
                                    : each.extent == wanted.extent;
             if (!fits || busy_until[i] >= first_pass || each.format != wanted.format ||
-                each.samples != wanted.samples)
+                each.samples != wanted.samples || each.depth != wanted.depth ||
+                each.mips != wanted.mips)
                 continue;
             each.targets.push_back(wanted.targets.front());
             busy_until[i] = last_pass;
@@ -325,7 +358,8 @@ void shareTextures(const State& state, Plan& plan)
         const int index = indexOf(state.description.targets, target.name);
         const TargetDesc& desc = state.description.targets[index];
         const Target& found = state.targets[index];
-        PlanTexture texture{found.format, found.extent, found.samples, {target.name}};
+        PlanTexture texture{found.format, found.extent, found.samples,
+                            found.depth,  desc.mips,    {target.name}};
         if (found.remembered) {
             texture.copies = plan.views;
             target.texture = target.drawn_texture =
@@ -345,7 +379,8 @@ void shareTextures(const State& state, Plan& plan)
             texture.samples = 1;
             target.texture = slots.take(texture, target.first_pass, target.last_pass, false);
         }
-        if (target.last_pass == static_cast<int>(plan.passes.size()))
+        const bool boxed = plan.passes[target.first_pass].box >= 0;  // and so of all views
+        if (target.last_pass == static_cast<int>(plan.passes.size()) && !boxed)
             plan.textures[target.texture].copies = plan.views;
     }
 }

@@ -213,6 +213,8 @@ std::optional<Supply> supplyOf(const Description& description, const PassDesc& p
     for (std::size_t i = 0; i < description.targets.size(); ++i) {
         const TargetDesc& each = description.targets[i];
         const int index = static_cast<int>(i);
+        if (each.name == name && each.size.depth.factor > 0)
+            return Supply{"volume", GlslType::sampler3d, 0, index, each.place};
         if (each.name == name) return texture("target", InputKind::target, index, each.place);
         if (each.history && historyName(each) == name)
             return texture("history", InputKind::history, index, each.place);
@@ -220,6 +222,8 @@ std::optional<Supply> supplyOf(const Description& description, const PassDesc& p
     if (const int i = indexOf(description.imports, name); i >= 0)
         if (const ImportDesc& each = description.imports[i]; each.type == ImportType::texture)
             return texture("texture import", InputKind::imported, i, each.place);
+    if (const int i = indexOf(description.boxes, name); i >= 0)
+        return Supply{"box", GlslType::mat4, 0, i, description.boxes[i].place, UniformSource::box};
     const bool draws = pass.type == PassType::draw;
     if (const int i = indexOf(kMaterialMaps, name); i >= 0 && draws)
         return texture("material's map", InputKind::material, i);
@@ -360,7 +364,10 @@ void bindUniform(State& state, Pass& pass, const GlslUniform& uniform)
     const std::string& name = input && !input->from.empty() ? input->from.name : uniform.name;
     const std::optional<Supply> supply = supplyOf(state.description, *pass.desc, name);
     if (!supply) return reportUnbound(state, pass, uniform, name);
-    const bool fits = texture ? isSampler(supply->type) : supply->type == uniform.type;
+    const bool volume = GlslType::sampler3d == uniform.type;
+    const bool fits =
+        texture ? isSampler(supply->type) && (supply->type == GlslType::sampler3d) == volume
+                : supply->type == uniform.type;
     if (!fits || supply->count != (uniform.array ? uniform.count : 0))
         return reportShape(state, pass, uniform, *supply);
     if (findNamed(pass.reads, uniform.name) || findNamed(pass.uniforms, uniform.name))

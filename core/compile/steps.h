@@ -68,6 +68,7 @@ struct Target {
     bool remembered = false;  ///< Someone reads what it held last frame: it needs two.
     Format format = Format::none;
     Extent extent = {};
+    int depth = 0;  ///< Layers, of a volume.
     int samples = 1;
 };
 
@@ -166,6 +167,10 @@ inline std::optional<Source> resolveTarget(const State& state, int target)
 std::optional<Description> fitBorders(const State& state, std::vector<Elided>& elided);
 /// How large the target is, in pixels.
 Extent sizeOf(const State& state, int target);
+/// Layers of a target that is a volume, or 0.
+int depthOf(const State& state, int target);
+/// Layers of volumes that a pass draws at once: as often as `color` names each of them.
+int layersAtOnce(const Pass& pass);
 /// Views that a target shows that has a border or follows one: of width or height the more; or 0.
 float viewsOf(const State& state, int target);
 void chooseExtents(State& state);

@@ -15,6 +15,44 @@ std::string text(const Extent& extent)
     return std::to_string(extent.width) + "x" + std::to_string(extent.height);
 }
 
+std::string sizeText(const Target& target)
+{
+    return text(target.extent) + (target.depth > 0 ? "x" + std::to_string(target.depth) : "");
+}
+
+void checkVolume(State& state, const TargetDesc& desc, const Target& target)
+{
+    const int limit = state.caps.max_volume_size;
+    const auto told = [](const Diagnostic& each) { return each.code == Code::too_big_for_device; };
+    if (std::max({target.extent.width, target.extent.height, target.depth}) <= limit ||
+        anyOf(state.diagnostics, told))  // one param may give the size of many
+        return;
+    report(state, Code::too_big_for_device,
+           "target '" + desc.name + "' would be " + sizeText(target) +
+               ", and the device's volumes end at " + std::to_string(limit) + " along an edge",
+           desc, "use fewer voxels");
+}
+
+// Whether a pass draws each layer of its volumes once.
+bool drawsAllLayers(State& state, const Pass& pass)
+{
+    if (pass.color.empty() || state.targets[pass.color.front()].depth == 0) return true;
+    const int layers = state.targets[pass.color.front()].depth, at_once = layersAtOnce(pass);
+    const bool alike = allOf(pass.color, [&](int each) {
+        return std::count(pass.color.begin(), pass.color.end(), each) == at_once;
+    });
+    if (alike && layers % at_once == 0) return true;
+    report(state, Code::attachment_size,
+           quoted(pass) + " draws " + std::to_string(at_once) + " layers of '" +
+               nameOf(state, pass.color.front()) + "' at once, " +
+               (alike ? "and its " + std::to_string(layers) + " are no multiple of that"
+                      : "and more or fewer of another volume"),
+           *pass.desc,
+           alike ? "let its `depth`, or the param that gives it, be a multiple"
+                 : "name each volume under `color` as often as the others");
+    return false;
+}
+
 std::string endsAt(const State& state)
 {
     const int limit = state.caps.max_texture_size;
@@ -29,6 +67,12 @@ int scaled(int size, float scale)
     constexpr double kEpsilon = 6.0e-8;  // 2^-24: half a step of floats, relative
     const double product = size * (scale * (1 - kEpsilon));
     return static_cast<int>(std::max(1.0, std::ceil(std::min(product, kLargest))));
+}
+
+int texels(const State& state, const ProductDesc& product)
+{
+    const double value = valueOf(product, state.description.params);
+    return static_cast<int>(std::clamp(std::round(value), 1.0, kLargest));
 }
 
 bool within(const Extent& extent, int limit)
@@ -160,9 +204,20 @@ Extent sizeOf(const State& state, int target)
         const float scale = param ? param->value[0] : size.scale;
         const auto factor = size.border ? bordered : scaled;
         extent = {factor(extent.width, scale), factor(extent.height, scale)};
-        if (size.width > 0) extent = {size.width, size.height};
+        if (size.width.factor > 0) extent = {texels(state, size.width), texels(state, size.height)};
     }
     return extent;
+}
+
+int depthOf(const State& state, int target)
+{
+    const ProductDesc& depth = state.description.targets[target].size.depth;
+    return depth.factor > 0 ? texels(state, depth) : 0;
+}
+
+int layersAtOnce(const Pass& pass)
+{
+    return static_cast<int>(std::count(pass.color.begin(), pass.color.end(), pass.color.front()));
 }
 
 float viewsOf(const State& state, int target)
@@ -194,6 +249,8 @@ void chooseExtents(State& state)
         Target& target = state.targets[i];
         const TargetDesc& desc = state.description.targets[i];
         target.extent = sizeOf(state, static_cast<int>(i));
+        target.depth = depthOf(state, static_cast<int>(i));
+        if (target.depth > 0 && target.textured) checkVolume(state, desc, target);
         if (!fits || !target.textured || within(target.extent, limit)) continue;
         const int followed = target.followed;
         const bool reported = followed >= 0 && state.targets[followed].textured &&
@@ -204,9 +261,11 @@ void chooseExtents(State& state)
             "target '" + desc.name + "' would be " + text(target.extent) + ", and " + endsAt(state),
             desc, "use a smaller `scale`, or ask for a smaller size");
     }
-    const auto size = [&](int target) { return "is " + text(state.targets[target].extent); };
+    const auto size = [&](int target) { return "is " + sizeText(state.targets[target]); };
     for (const Pass& pass : state.passes)
-        if (pass.active) attachmentsAgree(state, pass, Code::attachment_size, "size", size);
+        if (pass.active && attachmentsAgree(state, pass, Code::attachment_size, "size", size) &&
+            !drawsAllLayers(state, pass))
+            break;  // one param may give the depth of many
 }
 
 int askedSamples(const State& state, int target)

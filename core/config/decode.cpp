@@ -292,6 +292,14 @@ std::string numberText(double number) { return significant(number, 10); }
 
 namespace crevice {
 
+double valueOf(const ProductDesc& product, const std::vector<ParamDesc>& params)
+{
+    double value = product.factor;
+    for (const Reference& each : product.params)
+        if (const ParamDesc* param = findNamed(params, each.name)) value *= double{param->value[0]};
+    return value;
+}
+
 int componentCount(ParamType type)
 {
     constexpr int kCounts[] = {1, 1, 2, 3, 4};  // in the order of ParamType

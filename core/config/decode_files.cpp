@@ -173,6 +173,7 @@ struct UseChecker {
         check(description.features, "feature", "features", "no condition and no shader");
         check(description.generated, "generated", "generated values", "no shader and no input");
         check(description.imports, "import", "imports", "no shader and no input");
+        check(description.boxes, "box", "boxes", "no pass");
         check(description.targets, "target", "targets", "no pass, output or view");
         check(description.shaders, "shader", "shaders", "no pass");
         check(description.interfaces, "interface", "interfaces", "no #include");

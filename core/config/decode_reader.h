@@ -22,6 +22,7 @@ bool read(Report& report, const Cursor& cursor, Words out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Choice out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, OneOf out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Scalars out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, ProductDesc& out, const Rule& rule);
 inline bool read(Report&, const Cursor&, Later, const Rule&) { return true; }
 
 /// Whether the value is a number, a whole one where asked for, inside both ranges.

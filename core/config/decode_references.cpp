@@ -31,6 +31,7 @@ struct Checker {
     Names shaders = {"shader", "shaders", Code::shader_missing, {"shaders"}};
     Names params = {"param", "params", Code::reference_missing, {"params"}};
     Names passes = {"pass", "passes", Code::reference_missing, {"passes"}};
+    Names boxes = {"box", "boxes", Code::reference_missing, {"boxes"}};
     Names subjects = {"feature or trait", "names", Code::feature_missing, {"features"}};
     std::set<std::string> named = {};
 
@@ -44,13 +45,20 @@ struct Checker {
         shaders.all = namesOf(description.shaders);
         params.all = namesOf(description.params);
         passes.all = namesOf(description.passes);
+        boxes.all = namesOf(description.boxes);
         subjects.all = namesOf(description.features);
         for (const TraitInfo& trait : kTraits) subjects.all.push_back(trait.name);
         for (const GeneratedDesc& each : description.generated)
             expectNumber(each.count_param, "generated '" + each.name + "'", "count",
                          ParamType::int_, range(1, mostCount(each.generator)));
+        for (const BoxDesc& each : description.boxes)
+            expectProduct(each.edge, "box '" + each.name + "'", "edge", each,
+                          range(1e-12, kMaxParam));
         for (const TargetDesc& each : description.targets) {
             const std::string who = "target '" + each.name + "'";
+            expectProduct(each.size.width, who, "width", each, range(1, 16384));
+            expectProduct(each.size.height, who, "height", each, range(1, 16384));
+            expectProduct(each.size.depth, who, "depth", each, range(1, 16384));
             expect(each.size.of, who + " follows the size of", sized);
             if (!each.size.optional || contains(params.all, each.size.scale_param.name))
                 expectNumber(each.size.scale_param, who, "scale", ParamType::float_,
@@ -60,9 +68,9 @@ struct Checker {
         }
         for (const PassDesc& each : description.passes) checkPass(each);
         for (const OutputDesc& each : description.outputs)
-            expect(each.target, "output '" + each.name + "' exports", targets);
+            expectPicture(each.target, "output '" + each.name + "' exports");
         for (const ViewDesc& each : description.views)
-            expect(each.target, "view '" + each.name + "' shows", targets);
+            expectPicture(each.target, "view '" + each.name + "' shows");
         return std::move(named);
     }
 
@@ -105,6 +113,32 @@ struct Checker {
         }
     }
 
+    bool isVolume(const Reference& target) const
+    {
+        const TargetDesc* desc = findNamed(description.targets, target.name);
+        return desc && desc->size.depth.factor > 0;
+    }
+
+    void expectPicture(const Reference& target, const std::string& who)
+    {
+        expect(target, who, targets);
+        if (isVolume(target))
+            report.at(target, Code::attachment_kind,
+                      who + " '" + target.name + "', which is a volume and no picture",
+                      "let a pass draw what is to be seen of it into a picture");
+    }
+
+    // Nothing stands in for a volume.
+    void expectStandIn(const PassDesc& pass, const Reference& target, const std::string& verb)
+    {
+        checkAttached(pass, target, verb);
+        if (isVolume(target))
+            report.at(target, Code::attachment_kind,
+                      "pass '" + pass.name + "' " + verb + " '" + target.name +
+                          "', a volume, which nothing can stand in for",
+                      "say so of the pass that reads it");
+    }
+
     // A number that is taken from a param: that must fit, and start inside the limits.
     void expectNumber(const Reference& name, const std::string& who, const std::string& number,
                       ParamType type, const Rule& limits)
@@ -133,30 +167,50 @@ struct Checker {
         }
     }
 
+    // Numbers of one component, whose product at their defaults fits.
+    void expectProduct(const ProductDesc& product, const std::string& who, const std::string& what,
+                       const Named& at, const Rule& limits)
+    {
+        for (const Reference& each : product.params) {
+            expectNumber(each, who, what, ParamType::float_, Rule());
+            const ParamDesc* param = findNamed(description.params, each.name);
+            if (!param || report.errorAt(each.pointer) || report.errorWithin(param->pointer))
+                return;
+        }
+        if (product.params.empty() || product.factor == 0) return;
+        const double value = valueOf(product, description.params);
+        if (value >= limits.min && value <= limits.max) return;
+        report.at(at, Code::out_of_range,
+                  who + " has the " + what + " " + numberText(value) + ", which is outside [" +
+                      numberText(limits.min) + ", " + numberText(limits.max) + "]",
+                  "change " + joined(namesOf(product.params), " or "));
+    }
+
     void checkPass(const PassDesc& pass)
     {
         if (report.errorAt(pass.pointer)) return;  // it is a patch of none
         const std::string who = "pass '" + pass.name + "' ";
         expect(pass.shader, who + "runs", shaders);
+        expect(pass.box, who + "draws by the view of", boxes);
         checkWrites(pass);
         checkOver(pass);
         for (const ClearDesc& each : pass.clear) checkAttached(pass, each, "clears");
         checkUndrawn(pass);
         for (const Condition& each : pass.when) checkTerm(pass, each);
         for (const BypassDesc& each : pass.bypass) {
-            checkAttached(pass, each, "bypasses");
+            expectStandIn(pass, each, "bypasses");
             expect(each.input, who + "reads", targets);
         }
         for (const NoOpDesc& each : pass.no_op) {
             expect(each, who + "is a no-op at a value of", params);
             for (const NoOpDesc::Gives& gives : each.gives) {
-                checkAttached(pass, gives, "gives");
+                expectStandIn(pass, gives, "gives");
                 expect(gives.input, who + "reads", targets);
             }
         }
         expect(pass.frustum_scale_param, who + "has as frustum scale", params);
         for (const PreservesConstantDesc& each : pass.preserves_constant)
-            checkAttached(pass, each, "preserves as constant");
+            expectStandIn(pass, each, "preserves as constant");
         for (const InputDesc& each : pass.inputs) checkInput(pass, each);
     }
 
@@ -172,7 +226,8 @@ struct Checker {
                     target, depth,
                     "pass '" + pass.name + (depth ? "' writes as depth" : "' writes as colour")))
                 continue;
-            if (target.pointer.empty() || written.insert(target.name).second) continue;
+            if (target.pointer.empty() || isVolume(target) || written.insert(target.name).second)
+                continue;
             report.at(target, Code::two_writers,
                       "pass '" + pass.name + "' writes target '" + target.name + "' twice",
                       "give each output of the shader a target of its own");
@@ -397,6 +452,7 @@ void checkNames(const Description& description, Report& report)
     SharedNames glsl{"GLSL", report};
     glsl.add(description.params, "a param");
     glsl.add(description.targets, "a target");
+    glsl.add(description.boxes, "a box");
     glsl.add(description.generated, "a generated value");
     for (const ImportDesc& each : description.imports)
         if (each.type == ImportType::texture) glsl.add(each, "a texture import");

@@ -93,9 +93,9 @@ bool isMacroName(std::string_view name)
 // One GLSL line holds it with room to spare, and the shortest limit among drivers is far longer.
 constexpr std::size_t kMaxNameBytes = 64;
 
-const std::vector<std::string> kSections = {"params",  "features", "imports",    "generated",
-                                            "targets", "shaders",  "interfaces", "passes",
-                                            "outputs", "views"};
+const std::vector<std::string> kSections = {"params", "features", "imports", "generated",
+                                            "boxes",  "targets",  "shaders", "interfaces",
+                                            "passes", "outputs",  "views"};
 
 }  // namespace
 
@@ -292,6 +292,20 @@ bool read(Report& report, const Cursor& cursor, Scalars out, const Rule&)
         const bool boolean = item.node.kind == Node::Kind::boolean;
         out.texts.push_back(!boolean ? item.node.text : item.node.boolean ? "true" : "false");
         return true;
+    });
+}
+
+bool read(Report& report, const Cursor& cursor, ProductDesc& out, const Rule& rule)
+{
+    const bool list = cursor.node.kind == Node::Kind::array;
+    out = {1.0};
+    return forEachItem(report, cursor, [&](const Cursor& item) {
+        double number = 1.0;
+        const bool name = item.node.kind == Node::Kind::string;
+        const bool good = name ? read(report, item, out.params.emplace_back(), Rule{})
+                               : read(report, item, number, list ? range(1e-6, 1e6) : rule);
+        out.factor *= number;
+        return good;
     });
 }
 

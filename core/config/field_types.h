@@ -40,7 +40,8 @@ inline Spellings spellings(ImportType) { return {"camera", "draw_list", "lights"
 inline Spellings spellings(Semantic) { return {"other", "view_position", "view_depth", "mask"}; }
 inline Spellings spellings(PassType) { return {"draw", "fullscreen"}; }
 inline Spellings spellings(Cull) { return {"none", "back", "front"}; }
-inline Spellings spellings(Filter) { return {"nearest", "linear"}; }
+inline Spellings spellings(Filter) { return {"nearest", "linear", "trilinear"}; }
+inline Spellings spellings(Blend) { return {"none", "over", "min", "max"}; }
 inline Spellings spellings(Wrap) { return {"clamp", "repeat"}; }
 inline Spellings spellings(Compare)
 {

@@ -135,6 +135,19 @@ void fields(V& v, GeneratedDesc& g)
 }
 
 template <class V>
+void fields(V& v, BoxDesc& b)
+{
+    v.field("edge", b.edge,
+            "The length of an edge in scene units: a number, a param, or a list of them that are "
+            "multiplied.",
+            required(range(1e-12, kMaxParam)));
+    v.field("steps", b.steps,
+            "Steps that an edge has. The box follows the camera by whole ones, so that voxels stay "
+            "where they are.",
+            range(1, 64));
+}
+
+template <class V>
 void fields(V& v, SizeDesc& s)
 {
     v.field(
@@ -149,8 +162,21 @@ void fields(V& v, SizeDesc& s)
             range(smallestScale(s), kLargestScale));
     v.field("optional", s.optional,
             "Whether the param that `scale` names may be lacking: the scale then is 1.");
-    v.field("width", s.width, "Texels across, whatever the size of the output.", range(1, 16384));
+    v.field("width", s.width,
+            "Texels across, whatever the size of the output: a number, an int param, or a list of "
+            "them that are multiplied.",
+            range(1, 16384));
     v.field("height", s.height, "Texels from bottom to top, likewise.", range(1, 16384));
+    v.field(
+        "depth", s.depth,
+        "Layers, likewise. The target then is a volume: shaders read it as a sampler3D, and its "
+        "pass is drawn once a layer, whose index is the uniform int first_layer; or once for so "
+        "many layers as `color` names it times.",
+        range(1, 16384));
+    if (!v.has("width")) {
+        v.refuse("depth", Code::missing_key, "there is no 'width'");
+        s.depth = {};
+    }
     if (!v.has("height")) v.refuse("width", Code::missing_key, "there is no 'height'");
     if (!v.has("width")) v.refuse("height", Code::missing_key, "there is no 'width'");
     if (!v.has("scale"))
@@ -170,6 +196,10 @@ void fields(V& v, TargetDesc& t)
         "depth format holds window depth.");
     v.field("size", t.size, "The size: max(1, ceil(followed * scale)) in each direction.");
     v.field("history", t.history, "Passes may read what it held last frame, as NAME_history.");
+    v.field(
+        "mips", t.mips,
+        "Smaller levels, each texel the mean of those below it, made as its pass ends; read them "
+        "by the filter `trilinear` and textureLod.");
     v.field("samples", NumberOrName<int>{t.samples, t.samples_param},
             "Samples per pixel (MSAA), or the name of an int param; readers get their mean.",
             range(1, kMaxSamples));
@@ -177,6 +207,12 @@ void fields(V& v, TargetDesc& t)
     if (multisampled && t.history)
         v.refuse("history", Code::bad_enum,
                  "a mean over samples of several surfaces matches none of the next frame");
+    if (multisampled && t.mips)
+        v.refuse("mips", Code::bad_enum, "what has several samples is resolved into one level");
+    if (t.size.depth.factor > 0 && multisampled)
+        v.refuse("samples", Code::bad_enum, "a volume has one sample a texel");
+    if (t.size.depth.factor > 0 && t.history)
+        v.refuse("history", Code::bad_enum, "a volume is drawn when what it shows has changed");
 }
 
 template <class V>
@@ -224,9 +260,10 @@ void fields(V& v, StateDesc& s)
             "depth.");
     v.field("depth_write", s.depth_write, "When absent: true for a draw pass with depth.");
     v.field("cull", s.cull, "Which faces of triangles are culled.");
-    v.field("blend", s.blend,
-            "What is drawn lies over what is there by its alpha, which its colour has been "
-            "multiplied by.");
+    v.field(
+        "blend", s.blend,
+        "How what is drawn joins what is there: `over` it by its alpha, which its colour has been "
+        "multiplied by, or the smaller (`min`) or larger (`max`) of the two, channel by channel.");
 }
 
 /// The keys by which a pass says what need not be drawn.
@@ -277,6 +314,9 @@ void fields(V& v, PassDesc& p)
         "over", p.over,
         "The pass on whose outputs this one goes on to draw: where it draws nothing, they stay. "
         "Readers of them get what this pass leaves.");
+    v.field("box", p.box,
+            "The box by whose view the pass draws or that its picture is of. It is drawn when what "
+            "lies there changes or the box moves, and then one such pass a frame in turn.");
     v.field("blended", p.blended,
             "Draws what materials say is seen through, from far to near; other draw passes draw "
             "all but that.");
@@ -321,6 +361,9 @@ void fields(V& v, Description& d)
             "`default` here too.");
     v.field("imports", d.imports, "What the host supplies.");
     v.field("generated", d.generated, "Arrays and small textures computed on load.");
+    v.field("boxes", d.boxes,
+            "Cubes around the camera, as views. GLSL sees a box as a mat4 of its name, from view "
+            "space to [0, 1] along each edge, as it was when it was drawn.");
     v.field("targets", d.targets, "Textures that passes write.");
     v.field("shaders", d.shaders, "Programs by name.");
     v.field("interfaces", d.interfaces, "GLSL that one module provides and others include.");

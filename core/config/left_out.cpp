@@ -12,10 +12,11 @@ namespace {
 constexpr struct {
     const char* section;
     const char* key;
-} kSections[] = {{"params", "default"}, {"features", "default"}, {"features", "type"},
-                 {"imports", "type"},   {"targets", "format"},   {"shaders", "fragment"},
-                 {"passes", "shader"},  {"views", "target"},     {"outputs", ""},
-                 {"outputs", "target"}, {"interfaces", ""},      {"generated", "generator"}};
+} kSections[] = {{"params", "default"},     {"features", "default"}, {"features", "type"},
+                 {"imports", "type"},       {"targets", "format"},   {"shaders", "fragment"},
+                 {"passes", "shader"},      {"views", "target"},     {"outputs", ""},
+                 {"boxes", "edge"},         {"outputs", "target"},   {"interfaces", ""},
+                 {"generated", "generator"}};
 
 bool declares(const std::string& section, const Node& entry)
 {

@@ -4,6 +4,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
 #include <cmath>
@@ -204,6 +205,15 @@ CameraMatrices cameraMatrices(const Camera& camera)
     return {clip_from_view, glm::inverse(clip_from_view), view_from_world,
             glm::inverse(view_from_world), turn};
 }
+
+CameraMatrices boxMatrices(const glm::dvec3& center, double edge)
+{
+    const glm::dmat4 clip = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0 / edge));
+    const glm::dmat4 view = glm::translate(glm::dmat4(1.0), -center);
+    return {clip, glm::inverse(clip), view, glm::inverse(view)};
+}
+
+glm::dvec3 snappedTo(const glm::dvec3& at, double step) { return glm::round(at / step) * step; }
 
 ViewSphere boundsInView(const DrawItem& item, const glm::dmat4& view_from_model)
 {

@@ -56,6 +56,13 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix);
 /// Whether it has no back of its own, so that no pass culls it.
 bool isSheet(const DrawItem& item, const Material& material);
 
+/// The view of a cube with that middle, in world space, and edges along the world's axes: clip
+/// space is [-1, 1] along each.
+CameraMatrices boxMatrices(const glm::dvec3& center, double edge);
+
+/// The middle of a box that follows the point `at` in world space by whole steps.
+glm::dvec3 snappedTo(const glm::dvec3& at, double step);
+
 /// A sphere around what an item draws, in view space. Of one without bounds the radius is below 0.
 struct ViewSphere {
     glm::dvec3 center = glm::dvec3(0.0);
@@ -151,6 +158,7 @@ Diagnostics warnElided(const Frame& frame, const Device& device);
     VALUE(light_cone, vec4, kMaxLights, ImportType::lights) \
     VALUE(ambient_light, vec3, 1, ImportType::lights) \
     VALUE(viewport_size, vec2, 1, std::nullopt) \
+    VALUE(first_layer, int_, 1, std::nullopt) \
     VALUE(ray_from_pixel, mat3, 1, ImportType::camera) \
     VALUE(history_valid, float_, 1, std::nullopt) \
     VALUE(frame_index, int_, 1, std::nullopt) \

@@ -9,9 +9,9 @@ namespace crevice {
 namespace {
 
 /// In the order of GlslType.
-constexpr const char* kTypes[] = {"float", "vec2",  "vec3",      "vec4",        "int",
-                                  "ivec2", "ivec3", "ivec4",     "uint",        "bool",
-                                  "mat3",  "mat4",  "sampler2D", "sampler2DMS", "other"};
+constexpr const char* kTypes[] = {"float",     "vec2",        "vec3",      "vec4", "int",  "ivec2",
+                                  "ivec3",     "ivec4",       "uint",      "bool", "mat3", "mat4",
+                                  "sampler2D", "sampler2DMS", "sampler3D", "other"};
 
 /// The defines that the text mentions, or that the values of such defines mention.
 std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit& unit)
@@ -244,10 +244,7 @@ GlslType glslTypeFromName(std::string_view name)
     return static_cast<GlslType>(known - std::begin(kTypes));
 }
 
-bool isSampler(GlslType type)
-{
-    return type == GlslType::sampler2d || type == GlslType::sampler2d_ms;
-}
+bool isSampler(GlslType type) { return type >= GlslType::sampler2d && type <= GlslType::sampler3d; }
 
 std::vector<GlslInclude> findIncludes(const SourceRef& source)
 {

@@ -26,11 +26,14 @@ DeviceCaps minimumCaps()
 Status checkReadable(const Device& device, TextureId id)
 {
     const ObjectInfo info = device.info(id);
-    if (info.exists && info.samples == 1) return {};
+    if (info.exists && info.samples == 1 && info.depth == 0) return {};
     const std::string name = "texture " + std::to_string(id.value);
     if (!info.exists)
         return Diagnostic{Code::bad_input, name + " is none of this device",
                           "take an id that this device gave and that is not destroyed yet"};
+    if (info.depth > 0)
+        return Diagnostic{Code::bad_input, name + " is a volume, and only a picture can be read",
+                          "draw a layer of it into a picture"};
     return Diagnostic{Code::bad_input,
                       name + " has " + std::to_string(info.samples) +
                           " samples a pixel, and only one can be read or written",
@@ -117,6 +120,7 @@ const std::vector<FormatInfo>& allFormats()
     static const std::vector<FormatInfo> formats = {
         {Format::r8, "r8", FormatClass::unorm, 1, 1, true, true, 1.0 / 255, 0},
         {Format::rg8, "rg8", FormatClass::unorm, 2, 2, true, true, 1.0 / 255, 0},
+        {Format::rgb565, "rgb565", FormatClass::unorm, 3, 2, true, true, 1.0 / 31, 0},
         {Format::rgba8, "rgba8", FormatClass::unorm, 4, 4, true, true, 1.0 / 255, 0},
         {Format::rgb10_a2, "rgb10_a2", FormatClass::unorm, 4, 4, true, true, 1.0 / 1023, 0},
         {Format::r16f, "r16f", FormatClass::floating, 1, 2, false, true, kHalfLeast, kHalf},

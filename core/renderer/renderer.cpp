@@ -12,9 +12,13 @@ bool changesPlan(const Description& description, const ParamDesc& param,
     if (param.bind == Bind::define) return true;
     for (const GeneratedDesc& generated : description.generated)
         if (generated.count_param.name == param.name) return true;
-    for (const TargetDesc& target : description.targets)
-        if (target.size.scale_param.name == param.name || target.samples_param.name == param.name)
+    for (const TargetDesc& target : description.targets) {
+        const SizeDesc& size = target.size;
+        if (size.scale_param.name == param.name || target.samples_param.name == param.name)
             return true;
+        for (const ProductDesc* texels : {&size.width, &size.height, &size.depth})
+            if (findNamed(texels->params, param.name)) return true;
+    }
     for (const PassDesc& pass : description.passes) {
         if (pass.frustum_scale_param.name == param.name) return true;
         for (const NoOpDesc& no_op : pass.no_op)

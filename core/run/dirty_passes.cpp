@@ -15,6 +15,7 @@ PassCache::PassCache(const Plan& plan)
     for (const PlanPass& pass : plan.passes) {
         PassNode& node = passes_.emplace_back();
         node.over = pass.over;
+        node.boxed = pass.box >= 0 && !plan.reruns;
         for (const PlanInput& input : pass.inputs) {
             if (input.kind == InputKind::target) node.reads.push_back(input.index);
             node.remembers = node.remembers || input.kind == InputKind::history;
@@ -33,13 +34,30 @@ int PassCache::slotOf(int view, int target) const
     return texture * plan_.views + (plan_.textures[texture].copies > 1 ? view : 0);
 }
 
+// Of the passes of boxes that have something to draw the next one.
+void PassCache::chooseBoxed(const std::vector<char>& changed)
+{
+    for (std::size_t i = 0; i < passes_.size(); ++i)
+        passes_[i].pending = passes_[i].boxed && (passes_[i].pending || changed[i]);
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+        const std::size_t at = (turn_ + i) % passes_.size();
+        if (!passes_[at].pending) continue;
+        runs_[at] = 1;
+        turn_ = at + 1;
+        return;
+    }
+}
+
 const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
 {
+    runs_.assign(runs_.size(), 0);
+    chooseBoxed(changed);
     for (int view = 0; view < plan_.views; ++view)
         for (std::size_t i = 0; i < passes_.size(); ++i) {
             const PassNode& pass = passes_[i];
             const auto redrawn = [&](int target) { return runs_[writerOf(view, target)] != 0; };
             const int run = runOf(view, static_cast<int>(i));
+            if (pass.boxed) continue;
             runs_[run] = changed[run] || pass.remembers || anyOf(pass.reads, redrawn);
             if (pass.over < 0) continue;
             char& under = runs_[runOf(view, pass.over)];
@@ -48,6 +66,11 @@ const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
     do next_slots_ = slots_;
     while (findOverwritten());
     slots_.swap(next_slots_);
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+        PassNode& pass = passes_[i];
+        const auto redrawn = [&](int target) { return runs_[writerOf(0, target)] != 0; };
+        pass.pending = !runs_[i] && (pass.pending || (pass.boxed && anyOf(pass.reads, redrawn)));
+    }
     return runs_;
 }
 

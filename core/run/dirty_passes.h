@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which passes of a plan a frame must run: those whose input has changed since they ran last, all
-// that read what those write, and those whose picture another one has overwritten meanwhile.
+// that read what those write, and those whose picture another one has overwritten meanwhile. Of
+// passes of boxes, whose picture may be some frames old, one a frame in turn, but for what was
+// never drawn; they are of all views, and run with the first.
 //
 // Private to the renderer, and pure: it knows textures by their numbers in the plan.
 #pragma once
@@ -29,19 +31,24 @@ private:
         std::vector<int> reads;   // targets
         std::vector<int> writes;  // targets that are kept
         bool remembers = false;   // reads or writes what changes with every frame
+        bool boxed = false;       // of a box
+        bool pending = false;     // ... and to be drawn
     };
 
     int runOf(int view, int pass) const { return view * static_cast<int>(passes_.size()) + pass; }
     int slotOf(int view, int target) const;
     int writerOf(int view, int target) const
     {
-        return runOf(view, plan_.targets[target].first_pass);
+        const int pass = plan_.targets[target].first_pass;
+        return runOf(passes_[pass].boxed ? 0 : view, pass);
     }
+    void chooseBoxed(const std::vector<char>& changed);
     bool findOverwritten();
     bool requireTarget(int view, int target);
 
     const Plan& plan_;
     std::vector<PassNode> passes_;
+    std::size_t turn_ = 0;         // the pass of a box whose turn it is, or one before it
     std::vector<int> slots_;       // whose picture each texture holds: a run, or kNothing
     std::vector<int> next_slots_;  // ... while a frame is gone through
     std::vector<char> runs_;

@@ -156,8 +156,12 @@ Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
         const PreparedView& view = views_[runs_[run].view];
         if (beginsView(run)) setView(frame, view);
         if (!chosen[run]) continue;
+        const int of_box = runs_[run].plan->box;
+        PreparedBox* const box = of_box >= 0 ? &boxes_[of_box] : nullptr;
         timers.beginRun(run);
-        runPass(runs_[run], view.camera);
+        if (box) values_.setFrame(frame, box->drawn);
+        runPass(runs_[run], box ? box->drawn : view.camera, box ? box->draws : view_draws_);
+        if (box) setView(frame, view);
         timers.endRun(run);
     }
     return end(frame);
@@ -168,20 +172,98 @@ const std::vector<char>& Execution::begin(const Frame& frame, bool all)
 {
     swapHistories();
     const bool draws_changed = updateDraws(frame);
+    placeBoxes(frame, draws_changed);
     bool camera_changed = false;
     for (std::size_t run = 0; run < runs_.size(); ++run) {
         PreparedPass& pass = runs_[run];
         if (beginsView(run))
             camera_changed = beginView(frame, views_[pass.view], cameraOf(frame, pass.view));
         values_.setViewport(pass.info.extent);
+        const int box = pass.plan->box;
+        const bool view_changed = box < 0 ? camera_changed : boxes_[box].moved;
         const bool geometry_changed =
-            pass.plan->type == PassType::draw && (draws_changed || camera_changed);
+            pass.plan->type == PassType::draw && (draws_changed || view_changed);
         const bool uniforms_changed = takeUniforms(pass);
-        changed_[run] =
-            all || plan_.reruns || geometry_changed || uniforms_changed || pass.imports_changed;
+        changed_[run] = (all && box < 0) || plan_.reruns || geometry_changed || uniforms_changed ||
+                        pass.imports_changed;
         pass.imports_changed = false;
     }
-    return cache_.choose(changed_);
+    const std::vector<char>& chosen = cache_.choose(changed_);
+    takeBoxes(frame, chosen);
+    return chosen;
+}
+
+/// Finds a cube about all draws. It stays while it has them and is not much too large, so that
+/// voxels of what does not move stay as they are.
+void Execution::boundDraws()
+{
+    constexpr double kMargin = 1.05, kTooLarge = 1.5;
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    glm::dvec3 low(kNone), high(-kNone);
+    for (const DrawItem& item : drawn_.draws) {
+        if (!drawsSomething(item)) continue;
+        const ViewSphere sphere = boundsInView(item, item.world_from_model);
+        if (sphere.radius < 0) low = glm::dvec3(-kNone);
+        low = glm::min(low, sphere.center - sphere.radius);
+        high = glm::max(high, sphere.center + sphere.radius);
+    }
+    const glm::dvec3 size = high - low;
+    const double longest = std::max({size.x, size.y, size.z});
+    const glm::dvec3 off = glm::max(high - draws_center_, draws_center_ - low);
+    const bool holds = 2 * std::max({off.x, off.y, off.z}) <= draws_edge_;
+    if (holds && draws_edge_ < kTooLarge * longest) return;
+    const bool bounded = longest > 0 && std::isfinite(longest);  // points, or nothing, need no box
+    draws_edge_ = bounded ? longest * kMargin : kNone;
+    draws_center_ = bounded ? (low + high) / 2.0 : glm::dvec3(0.0);
+}
+
+constexpr double kSmallestBox = 1e-12;  // scene units
+
+/// Has boxes follow the first camera, for whenever their passes are drawn, or hold all draws.
+void Execution::placeBoxes(const Frame& frame, bool draws_changed)
+{
+    const glm::dvec3 shift = isFinite(frame.origin_shift) ? frame.origin_shift : glm::dvec3(0.0);
+    draws_center_ -= shift;
+    if (draws_changed && !boxes_.empty()) boundDraws();
+    const glm::dmat4 world_from_view = glm::inverse(frame.camera.view_from_world);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+        const PlanBox& plan = plan_.boxes[i];
+        PreparedBox& box = boxes_[i];
+        double edge = plan.factor;
+        for (const int param : plan.params) edge *= double{values_.param(param)};
+        edge = std::max(edge, kSmallestBox);
+        const bool whole = draws_edge_ < edge;
+        edge = std::min(edge, draws_edge_);
+        const glm::dvec3 at =
+            whole ? draws_center_ : snappedTo(glm::dvec3(world_from_view[3]), edge / plan.steps);
+        box.moved = box.edge != edge || at != box.center;
+        box.center = at;
+        box.edge = edge;
+        for (CameraMatrices* each : {&box.drawn, &box.read})
+            each->view_from_world = glm::translate(each->view_from_world, shift);
+    }
+}
+
+/// Boxes are where their passes draw them; and where the last of those has drawn, for readers.
+void Execution::takeBoxes(const Frame& frame, const std::vector<char>& chosen)
+{
+    if (boxes_.empty()) return;
+    for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
+        if (!chosen[i] || plan_.passes[i].box < 0) continue;
+        PreparedBox& box = boxes_[plan_.passes[i].box];
+        if (plan_.passes[i].type == PassType::draw) {
+            box.drawn = boxMatrices(box.center, box.edge);
+            box.draws.begin(box.drawn);
+        }
+        if (i == box.last_pass) box.read = box.drawn;
+    }
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        const PreparedView& view = views_[runs_[run].view];
+        if (beginsView(run)) setView(frame, view);
+        if (!runs_[run].reads_box || !chosen[run]) continue;
+        values_.setViewport(runs_[run].info.extent);
+        takeUniforms(runs_[run]);
+    }
 }
 
 /// Puts the view's values into the table. Whether its camera is another than in the last frame.
@@ -210,6 +292,7 @@ void Execution::setView(const Frame& frame, const PreparedView& view)
 {
     values_.setFrame(frame, view.camera);
     values_.setHistory(view.before, view.camera);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) values_.setBox(i, boxes_[i].read, view.camera);
     view_draws_.begin(view.camera);
 }
 
@@ -303,16 +386,30 @@ void Execution::clearHistory(const PreparedPass& pass)
     device_.endPass();
 }
 
-void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
+void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera, ViewDraws& draws)
 {
     values_.setViewport(pass.info.extent);
     PassInfo info = pass.info;
+    const int layers = std::max(pass.plan->layers, 1);
+    for (; info.first_layer < layers; info.first_layer += pass.plan->layers_at_once) {
+        info.makes_mips =
+            pass.info.makes_mips && info.first_layer + pass.plan->layers_at_once >= layers;
+        values_.setLayer(info.first_layer);
+        drawLayer(pass, info, camera, draws);
+    }
+    values_.setLayer(0);
+}
+
+/// Draws a pass, or of one that draws volumes the layers from `info` on that it draws at once.
+void Execution::drawLayer(const PreparedPass& pass, PassInfo info, const CameraMatrices& camera,
+                          ViewDraws& draws)
+{
     info.within_area = pass.plan->scissor;
     if (pass.plan->scissor) {
         const int length = pass.plan->cull_below_pixel;
         constexpr double kAny = std::numeric_limits<double>::infinity();
         const double least = length >= 0 ? values_.param(length) : kAny;
-        info.area = pixelsOf(view_draws_.area(info.extent, least), info.extent);
+        info.area = pixelsOf(draws.area(info.extent, least), info.extent);
     }
     device_.beginPass(info);
     if (!pass.plan->scissor || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
@@ -320,7 +417,7 @@ void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
         setTextures(pass.textures);
         setUniforms(pass.uniforms);
         if (pass.plan->type == PassType::draw)
-            runDraws(pass, camera);
+            runDraws(pass, camera, draws);
         else
             device_.drawFullscreen();
     }
@@ -387,14 +484,14 @@ bool Execution::updateDraws(const Frame& frame)
     return changed;
 }
 
-void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
+void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera, ViewDraws& draws)
 {
     StateDesc state = pass.state;
     SentDraw sent;
     const bool culls = pass.plan->frustum_scale > 0.0f;
     const ViewVolume volume = culls ? viewVolume(camera, pass.plan->frustum_scale) : ViewVolume();
-    const std::vector<PlacedDraw>& placed = view_draws_.placed();
-    for (const std::size_t i : view_draws_.drawnBy(*pass.plan)) {
+    const std::vector<PlacedDraw>& placed = draws.placed();
+    for (const std::size_t i : draws.drawnBy(*pass.plan)) {
         const DrawItem& item = drawn_.draws[i];
         if (culls && isOutside(placed[i].sphere, volume)) continue;
         const IndexRange sheets = drawn_.sheets[i];
@@ -410,7 +507,7 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
                 setTextures(pass.textures);
                 sent.material = nullptr;
             }
-            setDraw(pass, i, sent);
+            setDraw(pass, i, draws, sent);
         };
         set(cull);
         if (item.callback) {
@@ -430,10 +527,11 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
 }
 
 /// Sends the uniforms and binds the textures of a draw, but for what they are already.
-void Execution::setDraw(const PreparedPass& pass, std::size_t draw, SentDraw& sent)
+void Execution::setDraw(const PreparedPass& pass, std::size_t draw, ViewDraws& draws,
+                        SentDraw& sent)
 {
     const Material& material = drawn_.materials[drawn_.draws[draw].material];
-    const std::uint32_t* const values = view_draws_.values(draw, values_);
+    const std::uint32_t* const values = draws.values(draw, values_);
     for (const UniformBinding& uniform : pass.draw_uniforms) {
         const std::size_t at = uniform.offset - values_.drawOffset();
         const std::size_t bytes = wordsOf(uniform.type, uniform.count) * sizeof *values;

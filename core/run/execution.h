@@ -98,6 +98,7 @@ private:
     struct PreparedPass {
         const PlanPass* plan;
         int view;
+        bool reads_box = false;  // a uniform of it is a box's
         PassInfo info;
         ProgramId program;
         StateDesc state;
@@ -127,6 +128,16 @@ private:
         FrameHistory before;   // for this one
         CameraMatrices camera = {};
         int turns = 0;  // frames in a row in which two cameras took turns
+    };
+
+    // A box of the plan: where it is for its passes, and for those that read what they drew.
+    struct PreparedBox {
+        ViewDraws draws;
+        glm::dvec3 center = glm::dvec3(0.0);  // for the next time that it is drawn
+        double edge = 0;                      // likewise
+        bool moved = false;                   // since the last frame
+        CameraMatrices drawn = {}, read = {};
+        std::size_t last_pass = 0;  // of the plan, of the passes of this box
     };
 
     Execution(Device& device, Plan plan) : device_(device), plan_(std::move(plan)) {}
@@ -159,18 +170,23 @@ private:
     Status end(const Frame& frame);
     Status beginReads();
     void takeReads();
+    void placeBoxes(const Frame& frame, bool draws_changed);
+    void boundDraws();
+    void takeBoxes(const Frame& frame, const std::vector<char>& chosen);
     bool takeUniforms(PreparedPass& pass);
     void swapHistories();
     void clearHistory(const PreparedPass& pass);
     Status checkImports(const Frame& frame) const;
-    void runPass(const PreparedPass& pass, const CameraMatrices& camera);
+    void runPass(const PreparedPass& pass, const CameraMatrices& camera, ViewDraws& draws);
+    void drawLayer(const PreparedPass& pass, PassInfo info, const CameraMatrices& camera,
+                   ViewDraws& draws);
     void setTextures(const std::vector<TextureBinding>& textures);
     void setUniforms(const std::vector<UniformBinding>& uniforms);
 
     // execution.cpp, draws
     bool updateDraws(const Frame& frame);
-    void runDraws(const PreparedPass& pass, const CameraMatrices& camera);
-    void setDraw(const PreparedPass& pass, std::size_t draw, SentDraw& sent);
+    void runDraws(const PreparedPass& pass, const CameraMatrices& camera, ViewDraws& draws);
+    void setDraw(const PreparedPass& pass, std::size_t draw, ViewDraws& draws, SentDraw& sent);
     void drawByHost(const PreparedPass& pass, const DrawItem& item);
 
     Device& device_;
@@ -200,6 +216,11 @@ private:
     Programs programs_;
     std::vector<PreparedPass> runs_;  // the plan's passes for each view in turn
     std::vector<PreparedView> views_ = std::vector<PreparedView>(plan_.views);
+    std::vector<PreparedBox> boxes_;
+    // What boxes need not reach beyond: a cube about all draws, whose edge is infinite where bounds
+    // are unknown.
+    glm::dvec3 draws_center_ = glm::dvec3(0.0);
+    double draws_edge_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace crevice

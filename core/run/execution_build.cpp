@@ -14,7 +14,7 @@ bool uses(const Plan& plan, InputKind kind)
     return false;
 }
 
-PassInfo passInfo(const PlanPass& pass)
+PassInfo passInfo(const Plan& plan, const PlanPass& pass)
 {
     PassInfo info;
     info.label = pass.name.c_str();
@@ -25,6 +25,9 @@ PassInfo passInfo(const PlanPass& pass)
         info.color_load[i] = color.load;
         info.color_store[i] = color.store;
         std::copy(color.clear.begin(), color.clear.end(), info.clear_color[i]);
+        info.makes_mips =
+            info.makes_mips ||
+            (color.target >= 0 && plan.textures[plan.targets[color.target].texture].mips);
     }
     info.has_depth = pass.has_depth && pass.depth.target >= 0;
     info.depth_load = pass.depth.load;
@@ -40,6 +43,11 @@ Result<std::unique_ptr<Execution>> Execution::create(Device& device, Plan plan,
 {
     std::unique_ptr<Execution> made(new Execution(device, std::move(plan)));
     if (previous && remember) made->takeHistories(*previous);
+    for (std::size_t i = 0; i < made->plan_.boxes.size(); ++i) {
+        PreparedBox& box = made->boxes_.emplace_back(PreparedBox{ViewDraws(made->drawn_)});
+        for (std::size_t pass = 0; pass < made->plan_.passes.size(); ++pass)
+            if (made->plan_.passes[pass].box == static_cast<int>(i)) box.last_pass = pass;
+    }
     Status status = made->createTextures();
     if (status) status = made->createGenerated();
     if (status) status = made->createPrograms(previous);
@@ -82,8 +90,9 @@ Status Execution::createTextures()
         const std::string label = texture.targets.empty() ? "unused" : texture.targets.front();
         for (int view = 0; view < texture.copies; ++view) {
             const std::string of_view = view > 0 ? " of view " + std::to_string(view) : "";
-            Result<TextureId> id = device_.createTexture(
-                {label + of_view, texture.format, texture.extent, texture.samples});
+            Result<TextureId> id =
+                device_.createTexture({label + of_view, texture.format, texture.extent,
+                                       texture.samples, texture.depth, texture.mips});
             if (!id) return id.diagnostics();
             textures_[i].push_back(std::make_shared<Owned<TextureId>>(device_, *id));
         }
@@ -193,7 +202,7 @@ Status Execution::createPasses(int view)
         PreparedPass& prepared = runs_.emplace_back();
         prepared.plan = &pass;
         prepared.view = view;
-        prepared.info = passInfo(pass);
+        prepared.info = passInfo(plan_, pass);
         prepared.program = programs_[pass.program].second->id();
         prepared.state = pass.state;
         if (isMasked(pass)) {
@@ -278,7 +287,11 @@ void Execution::bindUniform(const UniformInfo& active, PreparedPass& prepared, D
     }
     const int count = std::min(active.count, uniform->count);
     const bool per_draw = uniform->source == UniformSource::draw;
-    if (per_draw && uniform->index == view_normal_from_model) view_draws_.readNormals();
+    if (per_draw && uniform->index == view_normal_from_model) {
+        view_draws_.readNormals();
+        for (PreparedBox& box : boxes_) box.draws.readNormals();
+    }
+    prepared.reads_box = prepared.reads_box || uniform->source == UniformSource::box;
     auto& uniforms = per_draw ? prepared.draw_uniforms : prepared.uniforms;
     uniforms.push_back({active.location, active.type, count, values_.offsetOf(*uniform)});
     if (!per_draw) prepared.sent.resize(prepared.sent.size() + wordsOf(active.type, count));

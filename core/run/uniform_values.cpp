@@ -30,7 +30,7 @@ glm::dmat3 rayFromUv(const glm::dmat4& clip_from_view)
 
 std::size_t wordsOf(GlslType type, int count)
 {
-    constexpr std::size_t kWords[] = {1, 2, 3, 4, 1, 2, 3, 4, 1, 1, 9, 16, 1, 1, 1};
+    constexpr std::size_t kWords[] = {1, 2, 3, 4, 1, 2, 3, 4, 1, 1, 9, 16, 1, 1, 1, 1};
     return kWords[static_cast<int>(type)] * count;  // in the order of GlslType
 }
 
@@ -41,6 +41,7 @@ ValueTable::ValueTable(const Plan& plan) : plan_(plan)
     for (const PlanParam& param : plan.params) add(param.type, 1);
     for (const GeneratorDesc& generated : plan.generated)
         add(GlslType::vec3, generatesTexture(generated.generator) ? 0 : generated.count);
+    for (std::size_t i = 0; i < plan.boxes.size(); ++i) add(GlslType::mat4, 1);
     for (std::size_t i = 0; i < plan.params.size(); ++i)
         setParam(static_cast<int>(i), plan.params[i].initial.data());
 }
@@ -55,6 +56,8 @@ std::size_t ValueTable::offsetOf(const PlanUniform& uniform) const
 {
     std::size_t value = uniform.index;
     if (uniform.source == UniformSource::param) value += frame_value_count;
+    if (uniform.source == UniformSource::box)
+        value += frame_value_count + plan_.params.size() + plan_.generated.size();
     if (uniform.source == UniformSource::kernel) value += frame_value_count + plan_.params.size();
     return offsets_[value];
 }
@@ -119,6 +122,14 @@ void ValueTable::setViewport(Extent extent)
     write(viewport_size, glm::vec2(extent.width, extent.height));
     write(ray_from_pixel,
           glm::mat3(ray_from_uv_[0] * pixel.x, ray_from_uv_[1] * pixel.y, ray_from_uv_[2]));
+}
+
+void ValueTable::setBox(std::size_t box, const CameraMatrices& drawn, const CameraMatrices& camera)
+{
+    const std::size_t value =
+        frame_value_count + plan_.params.size() + plan_.generated.size() + box;
+    write(value, glm::mat4(glm::inverse(kClipFromWindow) * drawn.clip_from_view *
+                           drawn.view_from_world * camera.world_from_view));
 }
 
 void ValueTable::setDraw(const glm::dmat4& view_from_mesh, const Material& material,

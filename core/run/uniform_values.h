@@ -35,6 +35,10 @@ public:
     void setFrame(const Frame& frame, const CameraMatrices& camera);
     void setHistory(const FrameHistory& history, const CameraMatrices& camera);
     void setViewport(Extent extent);
+    void setLayer(int layer) { write(first_layer, static_cast<std::int32_t>(layer)); }
+
+    /// From view space to [0, 1] along each edge of one of the plan's boxes.
+    void setBox(std::size_t box, const CameraMatrices& drawn, const CameraMatrices& camera);
 
     /// The values of a draw whose mesh lies at `view_from_mesh`. `normals`: whether anything reads
     /// how those turn, which takes as long as all else; if not, that value means nothing.

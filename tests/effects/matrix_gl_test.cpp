@@ -90,7 +90,7 @@ Scene edgeScene()
 
 /// What all cells share: the scene, and what a host would have drawn of it.
 struct Stage : SceneRig {
-    Frame drawn = frame("eye=0,2.4,5.5;at=0,0.6,-0.8;fov=45"), host_frame;
+    Frame drawn = frame("eye=0,2.4,5.5;at=0,0.6,-0.8;fov=45"), host_frame, host_and_draws;
     std::vector<HostTextures> hosts;
 
     Stage() : SceneRig(edgeScene(), kExtent)
@@ -106,11 +106,16 @@ struct Stage : SceneRig {
             for (const ImportedTexture& each : given.textures)
                 if (!findNamed(host_frame.textures, each.name)) host_frame.textures.push_back(each);
         }
+        host_and_draws = host_frame;
+        host_and_draws.draws = drawn.draws;
+        host_and_draws.materials = drawn.materials;
     }
 
     const Frame& frameFor(const Cell& cell) const
     {
-        return cell.input->host_textures ? host_frame : drawn;
+        if (!cell.input->host_textures) return drawn;
+        // Voxels are of a scene, whoever draws what is seen of it.
+        return std::string_view(cell.estimator->name) == "ssao/vxao" ? host_and_draws : host_frame;
     }
 
     Result<std::unique_ptr<Renderer>> make(const Cell& cell)

@@ -111,8 +111,13 @@ Result<OutputSource> exposeOutput(Description& description, const std::string& n
                             view->offset};
     const bool prefixed = name.rfind(kTargetPrefix, 0) == 0;
     const std::string target = prefixed ? name.substr(kTargetPrefix.size()) : name;
-    if (findNamed(description.targets, target))
-        return OutputSource{exportTarget(description, target)};
+    const TargetDesc* const found = findNamed(description.targets, target);
+    if (found && found->size.depth.factor > 0)
+        return Diagnostic{Code::attachment_kind,
+                          "target '" + target + "' is a volume, and no picture",
+                          "let a pass draw what is to be seen of it into a picture", found->place,
+                          found->pointer};
+    if (found) return OutputSource{exportTarget(description, target)};
     return unknownOutput(description, name);
 }
 

@@ -18,6 +18,7 @@ struct Wanted {
 constexpr Wanted kWanted[] = {
     {Format::r8, {8, 0, 0, 0, 0}, kUnorm},
     {Format::rg8, {8, 8, 0, 0, 0}, kUnorm},
+    {Format::rgb565, {5, 6, 5, 0, 0}, kUnorm},
     {Format::rgba8, {8, 8, 8, 8, 0}, kUnorm},
     {Format::rgb10_a2, {10, 10, 10, 2, 0}, kUnorm},
     {Format::r16f, {16, 0, 0, 0, 0}, GL_FLOAT},

@@ -83,10 +83,28 @@ struct GeneratedDesc : GeneratorDesc {
 constexpr double kSmallestScale = 1.0 / 64.0;
 constexpr double kLargestScale = 4.0;
 
+/// A number times the first components of params: 64, "resolution" or ["resolution", 0.75].
+struct ProductDesc {
+    double factor = 0;  ///< 0 where nothing is written.
+    std::vector<Reference> params = {};
+};
+
+/// The product, of the description's values.
+double valueOf(const ProductDesc& product, const std::vector<ParamDesc>& params);
+
+/// A cube around the camera with edges along the world's axes, by whose parallel view passes draw.
+/// It stays where it is while the camera moves by less than a step, which is its `edge` / `steps`.
+/// Where a smaller one holds all that is drawn, it is that one.
+struct BoxDesc : Named {
+    ProductDesc edge = {};  ///< Scene units, > 0.
+    int steps = 8;          ///< [1, 64]
+};
+
 /// How large a target is in each direction: max(1, ceil(followed * scale)); with `border`
-/// followed + 2 * ceil(followed * (scale - 1) / 2); or so many texels.
+/// followed + 2 * ceil(followed * (scale - 1) / 2); or so many texels. With a `depth` it is a
+/// volume.
 struct SizeDesc {
-    int width = 0, height = 0;  ///< Texels, [1, 16384], in place of all that; or 0 and 0.
+    ProductDesc width = {}, height = {}, depth = {};  ///< Texels, [1, 16384], in place of all that.
     Reference of = {};  ///< Another target; empty, or an imported texture, follows the output.
     Reference scale_param = {};  ///< The param that gives the scale; empty when `scale` does.
     bool optional = false;       ///< The param may be lacking: the scale then is 1.
@@ -108,6 +126,7 @@ struct TargetDesc : Named {
     Semantic semantic = Semantic::other;
     SizeDesc size = {};
     bool history = false;          ///< Last frame's content stays, under `historyName`.
+    bool mips = false;             ///< Smaller levels, made as its pass ends.
     Reference samples_param = {};  ///< The param that gives the samples; empty when `samples` does.
     int samples = 1;  ///< Of a pixel, [1, kMaxSamples]; above 1 its pass resolves it for readers.
 };
@@ -172,6 +191,7 @@ struct PassDesc : Named {
     std::vector<Reference> color = {};  ///< In the order of the shader's output locations.
     Reference depth = {};
     Reference over = {};   ///< The pass on whose outputs this one goes on to draw.
+    Reference box = {};    ///< The box by whose view it draws, in place of the camera's.
     bool blended = false;  ///< Draws what is blended, from far to near; others draw all else.
     std::vector<ClearDesc> clear = {};
     std::vector<Condition> when = {};  ///< All of which must hold.
@@ -216,6 +236,7 @@ struct Description : Named {
     std::vector<FeatureDesc> features;
     std::vector<ImportDesc> imports;
     std::vector<GeneratedDesc> generated;
+    std::vector<BoxDesc> boxes;
     std::vector<TargetDesc> targets;
     std::vector<ShaderDesc> shaders;
     std::vector<InterfaceDesc> interfaces;

@@ -19,6 +19,7 @@ enum class Format {
     none,
     r8,
     rg8,
+    rgb565,
     rgba8,
     rgb10_a2,
     r16f,
@@ -71,16 +72,19 @@ enum class PassType { draw, fullscreen };
 
 enum class Cull { none, back, front };
 enum class Compare { always, less, less_equal, greater, greater_equal, equal };
-enum class Filter { nearest, linear };
+enum class Filter { nearest, linear, trilinear };  ///< The last one between mips, too.
 enum class Wrap { clamp, repeat };
+
+/// How what is drawn joins what is there: not at all; over it, by its alpha, which its colour has
+/// been multiplied by; or the smaller or larger of the two, channel by channel.
+enum class Blend { none, over, min, max };
 
 /// Fixed-function state.
 struct StateDesc {
     Compare depth_test = Compare::always;  ///< A draw pass with a depth target defaults to less.
     bool depth_write = false;              ///< ... and to true.
     Cull cull = Cull::none;
-    /// What is drawn lies over what is there by its alpha, which its colour has been multiplied by.
-    bool blend = false;
+    Blend blend = Blend::none;
 };
 
 /// An object of any kind, for `Device::destroy`.
@@ -109,6 +113,7 @@ struct DeviceCaps {
     int version = 300;      ///< 300, 310 or 320; a desktop's counts as what it is compatible with.
     bool software = false;  ///< Rendered by the CPU: timer queries lie, time with finish().
     int max_texture_size = 2048;
+    int max_volume_size = 256;  ///< Texels along an edge of a texture with several layers.
     int max_color_attachments = 4;
     int max_texture_units = 16;              ///< Of the fragment stage.
     int max_fragment_uniform_vectors = 224;  ///< A mat4 takes 4, an array one for each element.
@@ -137,6 +142,9 @@ struct TextureDesc {
     /// Above 1 it can be drawn into and resolved, and neither sampled nor read, unless it is
     /// adopted: then sampler2DMS reads it, from OpenGL ES 3.1 on.
     int samples = 1;
+    /// Above 0 it is a volume of so many layers (GL_TEXTURE_3D), which sampler3D reads.
+    int depth = 0;
+    bool mips = false;  ///< With smaller levels down to one texel, see PassInfo::makes_mips.
 };
 
 /// A picture in an object of the host's, to be read.
@@ -200,6 +208,8 @@ struct FramebufferDesc {
     /// May be larger than a pass that clears it first and keeps nothing of it, unless
     /// DeviceCaps::equal_attachments.
     TextureId depth = {};
+    // A volume is drawn into layer by layer, see PassInfo::first_layer; one that stands at several
+    // places of `color` gives each of them the next layer.
 
     /// Where the above have several samples: what those whose StoreOp is store are resolved into as
     /// a pass ends; colour to the mean, depth to one sample. The samples themselves do not stay.
@@ -299,6 +309,7 @@ struct ObjectInfo {
     bool normals = true;            ///< Whether a mesh has them,
     bool uv = true;                 ///< ... and these.
     Format format = Format::none;   ///< Of a texture.
+    int depth = 0;                  ///< Layers of a texture that is a volume.
     /// Of a mesh: its sheetsOf. These triangles stand once more behind its last index.
     const std::vector<std::uint32_t>* sheets = nullptr;
 };
@@ -340,6 +351,8 @@ struct PassInfo {
     LoadOp depth_load = LoadOp::discard;
     StoreOp depth_store = StoreOp::discard;
     float clear_depth = 1.0f;
+    int first_layer = 0;       ///< Of the volumes among the colour attachments.
+    bool makes_mips = false;   ///< As it ends, of all colour attachments that have any.
     float at_depth = -1.0f;    ///< Window depth of all that is drawn; below 0 it has its own.
     bool within_area = false;  ///< Draws change `area` alone; loads are of everything.
     PixelArea area = {};
@@ -487,7 +500,8 @@ public:
     virtual double readTimer(TimerId id) = 0;
 };
 
-/// Whether the device has that texture, with one sample a pixel, to read and copy. Errors: CV6011.
+/// Whether the device has that texture, a picture with one sample a pixel, to read and copy.
+/// Errors: CV6011.
 Status checkReadable(const Device& device, TextureId id);
 
 }  // namespace crevice

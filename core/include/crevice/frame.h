@@ -23,7 +23,8 @@
 //              that cannot go on with histories, and the one after a cut); mat4
 //              previous_view_from_view, previous_clip_from_view (from this frame's view space to
 //              the last one's); int frame_index, [0, 1024)
-//   pass       vec2 viewport_size, in pixels of the pass; mat3 ray_from_pixel (of the camera: from
+//   pass       vec2 viewport_size, in pixels of the pass; int first_layer (of the volumes that it
+//              draws, 0 elsewhere); mat3 ray_from_pixel (of the camera: from
 //              a place in those pixels and 1 to x and y of view space at z = 1, of a perspective
 //              view, and of parallel rays at any z)
 //

@@ -27,6 +27,7 @@ enum class GlslType {
     mat4,
     sampler2d,
     sampler2d_ms,
+    sampler3d,
     other,
 };
 

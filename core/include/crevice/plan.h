@@ -23,6 +23,8 @@ struct PlanTexture {
     Format format = Format::none;
     Extent extent;
     int samples = 1;
+    int depth = 0;                     ///< Layers, of a volume.
+    bool mips = false;                 ///< With smaller levels.
     std::vector<std::string> targets;  ///< In the order in which they use it.
     /// One for all views in turn; or one a view, of what outlives its passes: an output, a history.
     int copies = 1;
@@ -68,8 +70,16 @@ struct PlanParam {
     std::array<float, 4> initial = {0, 0, 0, 0};  ///< Until `setParam`; as many as the type has.
 };
 
+/// A cube around the camera, see BoxDesc.
+struct PlanBox {
+    std::string name;
+    double factor = 1;        ///< An edge is this times
+    std::vector<int> params;  ///< ... the first component of each of these of Plan::params.
+    int steps = 8;
+};
+
 /// Where a uniform's value comes from: of `frame` the same for a pass, of `draw` for each item.
-enum class UniformSource { param, frame, draw, kernel };
+enum class UniformSource { param, frame, draw, kernel, box };
 
 /// A uniform of a pass and the value that it is fed from.
 struct PlanUniform {
@@ -77,7 +87,7 @@ struct PlanUniform {
     GlslType type = GlslType::float_;
     int count = 1;  ///< Elements; more than 1 is an array.
     UniformSource source = UniformSource::param;
-    int index = -1;  ///< Into Plan::params, kFrameValues (of frame and draw) or Plan::generated.
+    int index = -1;  ///< Into Plan::params, kFrameValues (of frame and draw), generated or boxes.
 };
 
 struct PlanPass {
@@ -88,6 +98,11 @@ struct PlanPass {
     bool has_depth = false;
     PlanAttachment depth;  ///< Written; or only tested, where its load is LoadOp::load.
     Extent extent;
+    /// Into Plan::boxes: what it draws is seen by that, not by the camera, and stays until that or
+    /// what lies in it changes; then one such pass a frame is drawn, in turn. -1: none.
+    int box = -1;
+    int layers = 0;  ///< Of the volumes that it draws; 0: none.
+    int layers_at_once = 1;
     int over = -1;         ///< Into Plan::passes: the one on whose outputs it draws; -1: none.
     int samples = 1;       ///< Of each attachment's pixels.
     bool blended = false;  ///< Draws what is blended, and nothing else.
@@ -138,6 +153,7 @@ struct Plan {
     std::vector<PlanTexture> textures;
     std::vector<PlanProgram> programs;
     std::vector<float> constants;          ///< Each in all four channels of a 1x1 texture.
+    std::vector<PlanBox> boxes;            ///< Those that a pass uses.
     std::vector<PlanParam> params;         ///< Those that a pass uses.
     std::vector<GeneratorDesc> generated;  ///< Those that a pass uses.
     std::vector<ImportDesc> imports;       ///< Those that a pass uses.

@@ -117,7 +117,7 @@ Plan handMade()
     plan.generated[0].name = "offsets";
     plan.generated[0].generator = "sphere_kernel";
     plan.generated[0].count = 2;
-    plan.textures = {{Format::r8, plan.extent, 1, {"ao"}}};
+    plan.textures = {{Format::r8, plan.extent, 1, 0, false, {"ao"}}};
     plan.targets = {{"ao", 0, 0, 0, 1}};
     PlanProgram program;
     program.key = "0123456789abcdef";

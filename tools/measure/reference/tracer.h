@@ -3,7 +3,7 @@
 //
 // One primary ray goes through each pixel's centre; the shading normal is the interpolated vertex
 // normal. From there `rays` cosine-weighted directions are probed (Hammersley points, rotated per
-// pixel); one that hits anything within `radius`, or that points below the geometric surface, is
+// pixel); of those that point over the geometric surface, one that hits anything within `radius` is
 // occluded. Surfaces occlude from both sides, and are shaded on the side that is seen. Alpha-tested
 // holes are not seen and let rays through.
 //

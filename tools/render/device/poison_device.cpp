@@ -48,8 +48,11 @@ Status PoisonDevice::fill(TextureId id, const TextureDesc& desc)
     pass.depth_store = StoreOp::store;
     pass.clear_depth = poison_;
     if (Status status = device_.beginFrame(); !status) return status;
-    device_.beginPass(pass);
-    device_.endPass();
+    for (; pass.first_layer < std::max(desc.depth, 1); ++pass.first_layer) {
+        pass.makes_mips = pass.first_layer + 1 >= desc.depth;
+        device_.beginPass(pass);
+        device_.endPass();
+    }
     return device_.endFrame();
 }
 

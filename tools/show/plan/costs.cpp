@@ -46,7 +46,9 @@ constexpr const char* kIntensity = "intensity";
 MovedBytes movedBytes(const Plan& plan, const PlanPass& pass)
 {
     MovedBytes bytes;
-    const double count = double(pass.extent.width) * pass.extent.height * plan.views;
+    const double count = double(pass.extent.width) * pass.extent.height *
+                         std::max(pass.layers / pass.layers_at_once, 1) *
+                         (pass.box < 0 ? plan.views : 1);
     const auto texels = [&](int target) {
         return count * formatInfo(textureOf(plan, target).format).bytes;
     };
@@ -73,6 +75,7 @@ MovedBytes movedBytes(const Plan& plan)
 {
     MovedBytes total;
     for (const PlanPass& pass : plan.passes) {
+        if (pass.box >= 0) continue;  // a frame in which nothing moves draws none of it
         const MovedBytes bytes = movedBytes(plan, pass);
         total.read += bytes.read;
         total.loaded += bytes.loaded;

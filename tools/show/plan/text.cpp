@@ -28,7 +28,7 @@ const char* nameOf(InputKind kind)
 
 const char* nameOf(UniformSource source)
 {
-    const char* const names[] = {"param", "frame value", "draw value", "kernel"};
+    const char* const names[] = {"param", "frame value", "draw value", "kernel", "box"};
     return names[static_cast<int>(source)];
 }
 
@@ -85,6 +85,14 @@ std::string boundsText(const Plan& plan, const PlanPass& pass)
            " is a pixel or more";
 }
 
+// Of a pass that draws volumes.
+std::string layersText(const PlanPass& pass)
+{
+    if (pass.layers == 0) return "";
+    return ", drawn " + std::to_string(pass.layers / pass.layers_at_once) + " times for " +
+           counted(std::size_t(pass.layers), "layer");
+}
+
 std::string readText(const Plan& plan, const PlanInput& input)
 {
     const std::string source = sourceName(plan, input);
@@ -126,12 +134,17 @@ std::string passText(const Plan& plan, const PlanPass& pass)
 {
     const MovedBytes bytes = movedBytes(plan, pass);
     std::string text = "  " + pass.name + ": " + table::word(pass.type) + " " +
-                       sizeText(pass.extent) + samplesText(pass.samples) + ", program " +
-                       plan.programs[pass.program].label + ", " + bytesText(bytes.read) +
-                       " read, " + bytesText(bytes.written) + " written\n";
+                       sizeText(pass.extent) + samplesText(pass.samples) + layersText(pass) +
+                       ", program " + plan.programs[pass.program].label + ", " +
+                       bytesText(bytes.read) + " read, " + bytesText(bytes.written) + " written\n";
     for (const PlanInput& input : pass.inputs) text += readText(plan, input);
+    if (pass.box >= 0)
+        text += "    cached  until what lies in the box " + plan.boxes[pass.box].name +
+                " changes or it moves; then drawn in turn, one such pass a frame\n";
     if (pass.scissor) text += "    drawn   within " + boundsText(plan, pass) + "\n";
-    for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
+    for (std::size_t i = 0; i < pass.color.size(); ++i)  // of a volume once
+        if (pass.layers == 0 || i % std::size_t(pass.layers_at_once) == 0)
+            text += writeText(plan, pass.color[i], false);
     if (pass.has_depth && !isMasked(pass)) text += writeText(plan, pass.depth, true);
     return text;
 }
@@ -141,6 +154,8 @@ std::string textureText(const Plan& plan, std::size_t index)
     const PlanTexture& texture = plan.textures[index];
     std::string text = "  " + std::to_string(index) + ": " + formatInfo(texture.format).name + " " +
                        sizeText(texture.extent) + samplesText(texture.samples);
+    if (texture.depth > 0) text += ", " + counted(std::size_t(texture.depth), "layer");
+    if (texture.mips) text += ", with mips";
     if (texture.copies > 1) text += ", one a view";
     return text + ", " + bytesText(textureBytes(texture)) + ": " +
            joined(texture.targets, ", then ") + "\n";

@@ -69,6 +69,12 @@ Json formOf(std::vector<Format>&, const Rule&, const Path&)
     return oneOrSeveral({{"enum", std::move(words)}}, 1);
 }
 
+Json formOf(ProductDesc&, const Rule& rule, const Path&)
+{
+    const Json number = numberForm("number", 0, rule);
+    return oneOrSeveral(anyForm({number, stringForm()}), 1);
+}
+
 Json formOf(std::map<std::string, std::string>&, const Rule&, const Path&)
 {
     return keyedForm("^(?!GL_)(?!.*__)[A-Za-z_][A-Za-z0-9_]*$", scalarForm());

@@ -110,6 +110,7 @@ Json targetsJson(const Plan& plan)
             if (attachment.target < 0) return;
             const PlanTarget& target = plan.targets[attachment.target];
             const PlanTexture& texture = plan.textures[target.texture];
+            if (texture.depth > 0) return;  // a volume is no picture to look at
             targets.push_back({{"name", target.name},
                                {"pass", pass.name},
                                {"format", formatInfo(texture.format).name},

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The interface `voxels`: how much of the space about a point surfaces fill.
+
+uniform mediump sampler3D near_voxels;
+uniform mediump sampler3D middle_voxels;
+uniform mediump sampler3D far_voxels;
+uniform highp mat4 near_box;  // from view space to [0, 1] along each edge
+uniform highp mat4 middle_box;
+uniform highp mat4 far_box;
+uniform highp float radius;
+uniform highp float extent;
+
+const int kBoxes = 3;
+const highp float kOffCentre = 1.0 / 16.0;  // of an edge: half a step, by which a box may be off the camera
+const highp float kFade = 1.0 / 8.0;        // of the way to a border, over which boxes fade into each other
+
+// One of the boxes.
+struct Voxels {
+    int box;
+    highp mat4 from_view;
+    highp float size;  // of a voxel, in scene units
+};
+
+// The largest part of a place off the middle of a box.
+highp float offMiddle(highp vec3 off)
+{
+    off = abs(off);
+    return max(off.x, max(off.y, off.z));
+}
+
+// The smallest box that has all within the radius of a point, or the largest where it has the point; false where none
+// has. Within kFade of a border `noise`, in 0..1, decides. What counts is how far the point is from the camera, so that
+// nothing changes when a box moves on.
+bool findVoxels(highp vec3 point, mediump float noise, out Voxels voxels)
+{
+    for (int box = 0; box < kBoxes; ++box) {
+        highp mat4 from_view = box == 0 ? near_box : box == 1 ? middle_box : far_box;
+        highp float edge = 1.0 / length(from_view[0].xyz);
+        voxels = Voxels(box, from_view, edge / float(RESOLUTION));
+        highp float off = offMiddle((from_view * vec4(point, 1.0)).xyz - 0.5);
+        // A smaller one than was asked for has all that there is.
+        if (edge < 0.99 * extent * radius * exp2(float(box)) && off < 0.5) return true;
+        highp float from_camera = offMiddle(mat3(from_view) * point) + kOffCentre;
+        highp float needed = box < kBoxes - 1 ? radius / edge : 0.0;
+        if (max(off, from_camera) * (1.0 + kFade * noise) + needed < 0.5) return true;
+    }
+    return false;
+}
+
+// What share of the voxels about a point in view space surfaces fill, as seen along each edge, over 2^level voxels each
+// way. Nothing is known outside of the box.
+mediump vec3 voxelsAt(Voxels voxels, highp vec3 point, highp float level)
+{
+    highp vec3 place = (voxels.from_view * vec4(point, 1.0)).xyz;
+    if (offMiddle(place - 0.5) > 0.5) return vec3(0.0);
+    if (voxels.box == 0) return textureLod(near_voxels, place, level).rgb;
+    if (voxels.box == 1) return textureLod(middle_voxels, place, level).rgb;
+    return textureLod(far_voxels, place, level).rgb;
+}
