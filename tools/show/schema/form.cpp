@@ -71,8 +71,9 @@ Json formOf(std::vector<Format>&, const Rule&, const Path&)
 
 Json formOf(ProductDesc&, const Rule& rule, const Path&)
 {
-    const Json number = numberForm("number", 0, rule);
-    return oneOrSeveral(anyForm({number, stringForm()}), 1);
+    const Json factor = numberForm("number", 1, range(1e-6, 1e6));
+    return anyForm({numberForm("number", 0, rule), stringForm(),
+                    listForm(anyForm({factor, stringForm()}), 1, 0)});
 }
 
 Json formOf(std::map<std::string, std::string>&, const Rule&, const Path&)
