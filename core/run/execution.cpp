@@ -222,9 +222,10 @@ constexpr double kSmallestBox = 1e-12;  // scene units
 /// Has boxes follow the first camera, for whenever their passes are drawn, or hold all draws.
 void Execution::placeBoxes(const Frame& frame, bool draws_changed)
 {
+    if (boxes_.empty()) return;
     const glm::dvec3 shift = isFinite(frame.origin_shift) ? frame.origin_shift : glm::dvec3(0.0);
     draws_center_ -= shift;
-    if (draws_changed && !boxes_.empty()) boundDraws();
+    if (draws_changed) boundDraws();
     const glm::dmat4 world_from_view = glm::inverse(frame.camera.view_from_world);
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         const PlanBox& plan = plan_.boxes[i];
@@ -247,7 +248,7 @@ void Execution::placeBoxes(const Frame& frame, bool draws_changed)
 /// Boxes are where their passes draw them; and where the last of those has drawn, for readers.
 void Execution::takeBoxes(const Frame& frame, const std::vector<char>& chosen)
 {
-    if (boxes_.empty()) return;
+    bool moved = false;
     for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
         if (!chosen[i] || plan_.passes[i].box < 0) continue;
         PreparedBox& box = boxes_[plan_.passes[i].box];
@@ -255,8 +256,11 @@ void Execution::takeBoxes(const Frame& frame, const std::vector<char>& chosen)
             box.drawn = boxMatrices(box.center, box.edge);
             box.draws.begin(box.drawn);
         }
-        if (i == box.last_pass) box.read = box.drawn;
+        if (i != box.last_pass) continue;
+        box.read = box.drawn;
+        moved = true;
     }
+    if (!moved) return;
     for (std::size_t run = 0; run < runs_.size(); ++run) {
         const PreparedView& view = views_[runs_[run].view];
         if (beginsView(run)) setView(frame, view);

@@ -142,9 +142,9 @@ std::string passText(const Plan& plan, const PlanPass& pass)
         text += "    cached  until what lies in the box " + plan.boxes[pass.box].name +
                 " changes or it moves; then drawn in turn, one such pass a frame\n";
     if (pass.scissor) text += "    drawn   within " + boundsText(plan, pass) + "\n";
-    for (std::size_t i = 0; i < pass.color.size(); ++i)  // of a volume once
-        if (pass.layers == 0 || i % std::size_t(pass.layers_at_once) == 0)
-            text += writeText(plan, pass.color[i], false);
+    for (const PlanAttachment& color : pass.color)
+        if (findNamed(pass.color, color.name) == &color)  // of a volume once
+            text += writeText(plan, color, false);
     if (pass.has_depth && !isMasked(pass)) text += writeText(plan, pass.depth, true);
     return text;
 }
