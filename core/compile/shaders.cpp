@@ -213,7 +213,7 @@ std::optional<Supply> supplyOf(const Description& description, const PassDesc& p
     for (std::size_t i = 0; i < description.targets.size(); ++i) {
         const TargetDesc& each = description.targets[i];
         const int index = static_cast<int>(i);
-        if (each.name == name && each.size.depth.factor > 0)
+        if (each.name == name && isVolume(each))
             return Supply{"volume", GlslType::sampler3d, 0, index, each.place};
         if (each.name == name) return texture("target", InputKind::target, index, each.place);
         if (each.history && historyName(each) == name)

@@ -211,8 +211,8 @@ Extent sizeOf(const State& state, int target)
 
 int depthOf(const State& state, int target)
 {
-    const ProductDesc& depth = state.description.targets[target].size.depth;
-    return depth.factor > 0 ? texels(state, depth) : 0;
+    const TargetDesc& desc = state.description.targets[target];
+    return isVolume(desc) ? texels(state, desc.size.depth) : 0;
 }
 
 int layersAtOnce(const Pass& pass)

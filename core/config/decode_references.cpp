@@ -116,7 +116,7 @@ struct Checker {
     bool isVolume(const Reference& target) const
     {
         const TargetDesc* desc = findNamed(description.targets, target.name);
-        return desc && desc->size.depth.factor > 0;
+        return desc && crevice::isVolume(*desc);
     }
 
     void expectPicture(const Reference& target, const std::string& who)

@@ -209,9 +209,9 @@ void fields(V& v, TargetDesc& t)
                  "a mean over samples of several surfaces matches none of the next frame");
     if (multisampled && t.mips)
         v.refuse("mips", Code::bad_enum, "what has several samples is resolved into one level");
-    if (t.size.depth.factor > 0 && multisampled)
+    if (isVolume(t) && multisampled)
         v.refuse("samples", Code::bad_enum, "a volume has one sample a texel");
-    if (t.size.depth.factor > 0 && t.history)
+    if (isVolume(t) && t.history)
         v.refuse("history", Code::bad_enum, "a volume is drawn when what it shows has changed");
 }
 

@@ -112,7 +112,7 @@ Result<OutputSource> exposeOutput(Description& description, const std::string& n
     const bool prefixed = name.rfind(kTargetPrefix, 0) == 0;
     const std::string target = prefixed ? name.substr(kTargetPrefix.size()) : name;
     const TargetDesc* const found = findNamed(description.targets, target);
-    if (found && found->size.depth.factor > 0)
+    if (found && isVolume(*found))
         return Diagnostic{Code::attachment_kind,
                           "target '" + target + "' is a volume, and no picture",
                           "let a pass draw what is to be seen of it into a picture", found->place,

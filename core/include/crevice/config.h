@@ -134,6 +134,8 @@ struct TargetDesc : Named {
 /// Under which name passes read what the target held in the last frame: "ao" gives "ao_history".
 inline std::string historyName(const TargetDesc& target) { return target.name + "_history"; }
 
+inline bool isVolume(const TargetDesc& target) { return target.size.depth.factor > 0; }
+
 struct ShaderDesc : Named {
     Reference vertex = {};  ///< Path in the sources.
     Reference fragment = {};
