@@ -144,11 +144,15 @@ Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass&
     return error;
 }
 
-SamplerDesc samplingOf(const Read& read)
+SamplerDesc samplingOf(const State& state, const Read& read)
 {
     const bool material = read.named.kind == InputKind::material;
     const bool tiled = material || read.named.kind == InputKind::generated;
-    SamplerDesc sampling = {material ? Filter::linear : Filter::nearest,
+    const std::optional<Source> source = resolve(state, read.named);
+    const bool mips = source && source->isTarget() && state.description.targets[source->index].mips;
+    SamplerDesc sampling = {material ? Filter::linear
+                            : mips   ? Filter::trilinear
+                                     : Filter::nearest,
                             tiled ? Wrap::repeat : Wrap::clamp};
     if (read.input && read.input->has_filter) sampling.filter = read.input->filter;
     if (read.input && read.input->has_wrap) sampling.wrap = read.input->wrap;

@@ -149,17 +149,17 @@ void checkBlending(State& state, const Pass& pass)
 void checkSampling(State& state, const Pass& pass)
 {
     for (const Read& read : pass.reads) {
-        if (samplingOf(read).filter == Filter::nearest) continue;
+        const Reference& at = read.input ? *read.input : pass.desc->shader;
+        if (samplingOf(state, read).filter == Filter::nearest) continue;
         const std::optional<Source> source = resolve(state, read.named);
-        const bool mips = samplingOf(read).filter == Filter::trilinear;
+        const bool mips = samplingOf(state, read).filter == Filter::trilinear;
         const bool target = source && source->isTarget();
         if (mips && !(target && state.description.targets[source->index].mips))
             report(state, Code::cannot_filter,
                    quoted(pass) + " reads '" + read.name +
                        "' with the filter trilinear, and it has no "
                        "mips",
-                   *read.input,
-                   "give its target \"mips\": true, or read it with the filter linear");
+                   at, "give its target \"mips\": true, or read it with the filter linear");
         if (!target) continue;
         const FormatInfo& format = formatInfo(state.targets[source->index].format);
         if (format.filterable) continue;
@@ -167,7 +167,7 @@ void checkSampling(State& state, const Pass& pass)
                quoted(pass) + " reads '" + read.name + "' with a filter, and " + format.name +
                    " of target '" + nameOf(state, source->index) +
                    "' cannot be filtered: it would read as black",
-               *read.input,
+               at,
                "read it with the filter nearest, or give the target a format that filters: r8, "
                "r16f, rgba8, rgba16f");
     }

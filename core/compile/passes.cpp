@@ -178,7 +178,7 @@ void addInputs(const State& state, const Pass& pass, PlanPass& into, Plan& plan)
     const Description& description = state.description;
     for (const Read& read : pass.reads) {
         const Source source = *resolve(state, read.named);
-        PlanInput input{read.name, source.kind, source.index, samplingOf(read)};
+        PlanInput input{read.name, source.kind, source.index, samplingOf(state, read)};
         if (source.isTarget())
             input.index = indexOf(plan.targets, nameOf(state, source.index));
         else if (source.kind == InputKind::generated)

@@ -118,7 +118,7 @@ inline const std::string& nameOf(const State& state, int target)
 }
 
 /// As the config says, or as is usual for what the name stands for.
-SamplerDesc samplingOf(const Read& read);
+SamplerDesc samplingOf(const State& state, const Read& read);
 
 /// Whether a mask of its own says where the pass is drawn.
 inline bool readsMask(const Pass& pass) { return findNamed(pass.reads, "") != nullptr; }

@@ -20,6 +20,12 @@ std::string sizeText(const Target& target)
     return text(target.extent) + (target.depth > 0 ? "x" + std::to_string(target.depth) : "");
 }
 
+std::string paramsOf(const ProductDesc& product)
+{
+    if (product.params.empty()) return "";
+    return ": its params are '" + joined(namesOf(product.params), "', '") + "'";
+}
+
 void checkVolume(State& state, const TargetDesc& desc, const Target& target)
 {
     const int limit = state.caps.max_volume_size;
@@ -48,7 +54,8 @@ bool drawsAllLayers(State& state, const Pass& pass)
                (alike ? "and its " + std::to_string(layers) + " are no multiple of that"
                       : "and more or fewer of another volume"),
            *pass.desc,
-           alike ? "let its `depth`, or the param that gives it, be a multiple"
+           alike ? "let its `depth` be a multiple of " + std::to_string(at_once) +
+                       paramsOf(state.description.targets[pass.color.front()].size.depth)
                  : "name each volume under `color` as often as the others");
     return false;
 }

@@ -143,6 +143,14 @@ struct FileReader {
     {
         if (report.errorAt("/interfaces")) return;
         const std::string modules = modulesThatDeclare(sources, "interfaces", at.name);
+        for (const auto& each : description.left_out) {
+            if (!has(modules, each.module)) continue;
+            missing(at,
+                    "interface <" + at.name + ">, and '" + each.module +
+                        "', which makes it, is left out: " + each.reason,
+                    "take a config that does without it");
+            return;
+        }
         missing(at, "interface <" + at.name + ">, which does not exist",
                 "add a module that provides it to extends" +
                     (modules.empty() ? "" : ": " + modules) + "; " +

@@ -199,7 +199,7 @@ void fields(V& v, TargetDesc& t)
     v.field(
         "mips", t.mips,
         "Smaller levels, each texel the mean of those below it, made as its pass ends; read them "
-        "by the filter `trilinear` and textureLod.");
+        "by textureLod.");
     v.field("samples", NumberOrName<int>{t.samples, t.samples_param},
             "Samples per pixel (MSAA), or the name of an int param; readers get their mean.",
             range(1, kMaxSamples));
@@ -245,7 +245,9 @@ void fields(V& v, InputDesc& i)
     v.shorthand(
         "from", i.from,
         "What the sampler reads: a target, import or noise. When absent: the one of its own name.");
-    v.field("filter", i.filter, "How texels are filtered.");
+    v.field("filter", i.filter,
+            "How texels are filtered. When absent: `trilinear` for a target with mips, else "
+            "`nearest`.");
     v.field("wrap", i.wrap,
             "Addressing past the edge. When absent: `repeat` for a generated noise, else `clamp`.");
     i.has_filter = v.has("filter");

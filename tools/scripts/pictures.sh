@@ -49,6 +49,7 @@ half ssdo_on color ssdo --set bounce=4
 corner='eye=-0.2,0.5,0.3;at=-0.9,0.2,-0.6;fov=40'  # much of what occludes is off the screen
 off_screen() { draw "off_screen_$1" 320x180 "$corner" ao "$1" --set radius=1.5; }
 off_screen balanced
+off_screen balanced_far
 off_screen vxao
 quietly "$CREVICE" reference --scene room --size 320x180 --camera "$corner" --radius 1.5 \
     --out "$work/pictures/off_screen_truth.png"

@@ -11,6 +11,7 @@
 
 #include "ssao/shaders/march.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
+#include "ssao/bitmask/sectors.glsl"
 
 // Switches of geometry/back_faces and geometry/second_layer, which a config may lack. The second layer is what lies
 // behind the back faces: there is none without them.
@@ -37,8 +38,10 @@ struct Trail {
     mediump vec2 way;      // from there, 0 where what lies between is more open than filled
 };
 
-// Of a side. One less than an int has bits, so that the bit beyond the last is one too.
-const mediump float kSectors = 31.0;
+#ifdef VOXEL_RAYS
+// Gaps of this many voxels and more are not guessed: voxels tell what is in them. From, and altogether.
+const mediump vec2 kGuessed = vec2(1.0, 3.0);
+#endif
 
 // Both ends are rounded: 0.0423 and 0.0242. Rounded down and up, about as in the authors' code, 0.0476 and 0.0303.
 uint maskOf(mediump float first, mediump float last)
@@ -49,22 +52,19 @@ uint maskOf(mediump float first, mediump float last)
     return (1u << end) - (1u << begin);
 }
 
-// [Anderson 2005 - counting bits set, in parallel]
-mediump float countOf(uint mask)
-{
-    uint pairs = mask - ((mask >> 1u) & 0x55555555u);
-    uint fours = (pairs & 0x33333333u) + ((pairs >> 2u) & 0x33333333u);
-    return float((((fours + (fours >> 4u)) & 0x0f0f0f0fu) * 0x01010101u) >> 24u);
-}
-
 // How much of what lies between two neighbouring taps is filled: half of a gap in depth, from the nearer one's back on,
-// that is `max_gap` times as large as the taps lie `apart`, where all steps are 1. `step_here` is towards the camera.
-mediump float filledBetween(Trail trail, mediump float step_here, mediump float deep, mediump float apart)
+// that is `max_gap` times as large as the taps lie `apart`, where all steps are 1. `step_here` is towards the camera. With VOXEL_RAYS, gaps much larger than a `voxel` are not guessed.
+mediump float filledBetween(Trail trail, mediump float step_here, mediump float deep, mediump float apart,
+                            mediump float voxel)
 {
     mediump float uneven = unevenStep(step_here, trail.step);
     mediump float gap = max(abs(uneven) - (uneven > 0.0 ? deep : trail.deep), 0.0);
     mediump float filled = clamp(max_gap * apart, 1e-2, 1.0);
-    return filled * filled / (filled * filled + gap * gap);  // filledShare(gap / filled), by one division
+    mediump float share = filled * filled / (filled * filled + gap * gap);  // filledShare(gap / filled), by one division
+#ifdef VOXEL_RAYS
+    share *= 1.0 - smoothstep(kGuessed.x, kGuessed.y, gap / voxel);
+#endif
+    return share;
 }
 
 mediump float sectorOf(Side side, mediump vec2 at)
@@ -75,13 +75,13 @@ mediump float sectorOf(Side side, mediump vec2 at)
 // The sectors blocked by something whose front is `at` and which is `deep` along its ray `away`, within the radius; and by
 // the surface that joins it to the tap before, without which few taps would miss most.
 uint blockedBy(Side side, mediump vec2 at, mediump vec2 away, mediump float deep, mediump float apart,
-               inout Trail trail)
+               mediump float voxel, inout Trail trail)
 {
     mediump float square = dot(at, at);
     mediump float near = dot(trail.at, trail.at);
     mediump vec2 way = at - trail.at;
     mediump float step_here = dot(way, side.towards);
-    mediump float filled = near < 1.0 ? filledBetween(trail, step_here, deep, apart) : 0.0;
+    mediump float filled = near < 1.0 ? filledBetween(trail, step_here, deep, apart, voxel) : 0.0;
 
     // The ray is within the radius from -along - root to root - along: |at + s away| = 1, solved for s.
     mediump float along = dot(at, away);
@@ -113,7 +113,7 @@ mediump float lengthOf(mediump float stored)
 
 // The sectors blocked by the first things that taps see, or with `second` by those behind them: one march each, for both
 // at once take more registers than phones have.
-uint blockedOn(March march, Side side, bool second)
+uint blockedOn(March march, Side side, bool second, mediump float voxel)
 {
     uint blocked = 0u;
     highp float place = 0.0;
@@ -138,7 +138,7 @@ uint blockedOn(March march, Side side, bool second)
             at += away * min(behind + SOURCE_LAYERS_STEP.x * (1.0 + behind) * (1.0 + behind), 40.0);
         }
 #endif
-        blocked |= blockedBy(side, at, away, deep, apart, trail);
+        blocked |= blockedBy(side, at, away, deep, apart, voxel, trail);
     }
     // Off the screen the surface last seen goes on until it leaves the radius.
     if (side.cut && !second && dot(trail.at, trail.at) < 1.0)
@@ -154,12 +154,21 @@ mediump float visibilityFrom(March march, bool known)
     int layers = min(sides, 1 + SECOND_LAYER);
     mediump float blocked = 0.0;
     mediump float whole = 0.0;
+    mediump float voxel = 0.0;
+#ifdef VOXEL_RAYS
+    Voxelled voxels = voxelled(march);
+    voxel = voxels.size;
+#endif
     for (int i = 0; i < sides; ++i) {
         Side side = sideOf(march, i);
         uint mask = 0u;
-        for (int layer = 0; layer < layers; ++layer) mask |= blockedOn(march, side, layer > 0);
+        for (int layer = 0; layer < layers; ++layer) mask |= blockedOn(march, side, layer > 0, voxel);
         mediump float light = side.projected_length * side.whole;
-        blocked += light * countOf(mask) / kSectors;
+        mediump float sectors = countOf(mask);
+#ifdef VOXEL_RAYS
+        sectors += blockedByVoxels(march, voxels, side, mask, i);
+#endif
+        blocked += light * sectors / kSectors;
         whole += light;
     }
     return visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));

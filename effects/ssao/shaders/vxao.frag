@@ -22,8 +22,6 @@ precision highp float;
 in vec2 uv;
 layout(location = 0) out float ao;
 
-const float kApart = 1.5;     // voxels from a surface on in which it fills nothing, filtered linearly
-const float kOwn = 1.2;       // more than a plane's mean, since voxels of a leaning one lie unevenly
 const vec2 kFirst = vec2(0.7, 1.3);  // voxels along a cone to its first sample, from pixel to pixel
 const float kStride = 1.5;    // voxels from sample to sample
 const float kSpread = 0.12;   // diameter of the samples over that of the cone, whose way varies from pixel to pixel
@@ -31,9 +29,10 @@ const float kLeastOpen = 0.02;
 
 // What a cone about the unit vector `way` leaves open, which stands on the plane by the cosine `height`, and is one of
 // CONES of equal weight by the cosine `facing`.
-float coneOpen(Voxels voxels, vec3 point, vec3 own, vec3 way, float height, float facing, float first)
+float coneOpen(Voxels voxels, vec3 place, vec3 own, vec3 way, float height, float facing, float first)
 {
-    vec3 along = abs(normalize(mat3(voxels.from_view) * way));
+    vec3 step_in_box = mat3(voxels.from_view) * way;
+    vec3 along = abs(normalize(step_in_box));
     // A cell of 1 / CONES of all weight is the solid angle pi / (CONES facing), of that of a square of this width.
     float spread = kSpread * sqrt(3.14159265 / (float(CONES) * max(facing, 0.1)));
     float largest = min(spread, height / kApart);
@@ -43,12 +42,11 @@ float coneOpen(Voxels voxels, vec3 point, vec3 own, vec3 way, float height, floa
         float level = floor(log2(max(at * largest / voxels.size, 1.0)) + 0.01);
         float width = voxels.size * exp2(level);
         stride = kStride * width;
-        vec3 filled = voxelsAt(voxels, point + way * at, level);
-        // The plane through the point fills of the voxels about it what of it lies across each edge.
-        filled -= own * (kOwn * voxels.size / width * clamp(kApart - at * height / width, 0.0, 1.0));
+        vec3 filled = fillingAt(voxels, place + at * step_in_box, level);
+        filled = withoutOwn(filled, own, width / voxels.size, at * height / width);
         // As many voxels behind each other as a step has; of the last one, what lies within the radius.
         float depth = min(stride, radius - at + 0.5 * stride) / voxels.size;
-        open *= 1.0 - min(dot(max(filled, 0.0), along) * depth, 1.0);
+        open *= 1.0 - min(dot(filled, along) * depth, 1.0);
         if (open < kLeastOpen) return 0.0;
     }
     return open;
@@ -69,7 +67,8 @@ void main()
     if (!findVoxels(point, noise.x, voxels)) return;
     float turn = 6.2831853 * noise.x;
     mat3 frame = rotatedFrame(normal, vec2(cos(turn), sin(turn)));
-    vec3 own = abs(normalize(mat3(voxels.from_view) * plane));
+    vec3 own = ownFilling(voxels, plane);
+    vec3 place = (voxels.from_view * vec4(point, 1.0)).xyz;
     float open = 0.0;
     float known = 0.0;  // the light over the plane: below it is none
     for (int i = 0; i < CONES; ++i) {
@@ -81,7 +80,7 @@ void main()
         float height = dot(way, plane);
         if (height <= 0.0) continue;
         known += 1.0;
-        open += coneOpen(voxels, point, own, way, height, facing, mix(kFirst.x, kFirst.y, noise.y));
+        open += coneOpen(voxels, place, own, way, height, facing, mix(kFirst.x, kFirst.y, noise.y));
     }
     ao = visibilityOf(1.0 - open / max(known, 1.0));
 }

@@ -29,8 +29,7 @@ Description boxed(const std::string& edge = "[\"reach\", 4]")
         "slices": {"type": "draw", "shader": "slices", "box": "room", "color": ["slices", "slices"],
                    "state": {"blend": "max"}, "frustum_scale": 1},
         "voxels": {"type": "fullscreen", "shader": "voxels", "box": "room", "color": ["voxels"]},
-        "ao": {"type": "fullscreen", "shader": "ao", "color": ["ao"],
-               "inputs": {"voxels": {"filter": "trilinear"}}}},
+        "ao": {"type": "fullscreen", "shader": "ao", "color": ["ao"]}},
       "outputs": {"ao": "ao"}
     })";
     const std::string head = "#version 300 es\nprecision highp float;\n";
@@ -83,6 +82,7 @@ TEST_CASE("A volume is drawn layer by layer, as many at once as `color` names it
     CHECK(count("blend max") == 1);
     const Plan& plan = rig.renderer->plan();
     CHECK(plan.textures[plan.targets[1].texture].mips);
+    CHECK(findNamed(plan.passes[2].inputs, "voxels")->sampling.filter == Filter::trilinear);
     CHECK(textureBytes(plan.textures[plan.targets[1].texture]) == 64 + 8 + 1);
 }
 
