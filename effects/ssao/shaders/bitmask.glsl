@@ -53,7 +53,8 @@ uint maskOf(mediump float first, mediump float last)
 }
 
 // How much of what lies between two neighbouring taps is filled: half of a gap in depth, from the nearer one's back on,
-// that is `max_gap` times as large as the taps lie `apart`, where all steps are 1. `step_here` is towards the camera. With VOXEL_RAYS, gaps much larger than a `voxel` are not guessed.
+// that is `max_gap` times as large as the taps lie `apart`, where all steps are 1. `step_here` is towards the camera. With
+// VOXEL_RAYS, nothing of gaps much larger than a `voxel`.
 mediump float filledBetween(Trail trail, mediump float step_here, mediump float deep, mediump float apart,
                             mediump float voxel)
 {
