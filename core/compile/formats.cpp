@@ -150,9 +150,10 @@ void checkSampling(State& state, const Pass& pass)
 {
     for (const Read& read : pass.reads) {
         const Reference& at = read.input ? *read.input : pass.desc->shader;
-        if (samplingOf(state, read).filter == Filter::nearest) continue;
+        const Filter filter = samplingOf(state, read).filter;
+        if (filter == Filter::nearest) continue;
         const std::optional<Source> source = resolve(state, read.named);
-        const bool mips = samplingOf(state, read).filter == Filter::trilinear;
+        const bool mips = filter == Filter::trilinear;
         const bool target = source && source->isTarget();
         if (mips && !(target && state.description.targets[source->index].mips))
             report(state, Code::cannot_filter,

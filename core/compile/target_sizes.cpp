@@ -20,12 +20,6 @@ std::string sizeText(const Target& target)
     return text(target.extent) + (target.depth > 0 ? "x" + std::to_string(target.depth) : "");
 }
 
-std::string paramsOf(const ProductDesc& product)
-{
-    if (product.params.empty()) return "";
-    return ": its params are '" + joined(namesOf(product.params), "', '") + "'";
-}
-
 void checkVolume(State& state, const TargetDesc& desc, const Target& target)
 {
     const int limit = state.caps.max_volume_size;
@@ -48,6 +42,8 @@ bool drawsAllLayers(State& state, const Pass& pass)
         return std::count(pass.color.begin(), pass.color.end(), each) == at_once;
     });
     if (alike && layers % at_once == 0) return true;
+    const std::vector<std::string> params =
+        namesOf(state.description.targets[pass.color.front()].size.depth.params);
     report(state, Code::attachment_size,
            quoted(pass) + " draws " + std::to_string(at_once) + " layers of '" +
                nameOf(state, pass.color.front()) + "' at once, " +
@@ -55,7 +51,7 @@ bool drawsAllLayers(State& state, const Pass& pass)
                       : "and more or fewer of another volume"),
            *pass.desc,
            alike ? "let its `depth` be a multiple of " + std::to_string(at_once) +
-                       paramsOf(state.description.targets[pass.color.front()].size.depth)
+                       (params.empty() ? "" : ": change " + joined(params, " or "))
                  : "name each volume under `color` as often as the others");
     return false;
 }

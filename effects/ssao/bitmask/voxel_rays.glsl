@@ -8,6 +8,7 @@
 // over 16 scenes of tests/unseen/scenes.py (104 to 119), of a radius and of three times that: 0.058 and 0.066, in
 // balanced 0.065 and 0.085.
 
+#include "common/angles.glsl"
 #include "ssao/shaders/march.glsl"
 #include "ssao/bitmask/sectors.glsl"
 #include <voxels>
@@ -64,7 +65,7 @@ mediump vec2 wayInto(Side side, mediump float sector)
 {
     mediump float share = 2.0 / kSectors * sector - 1.0;
     mediump float square = share * share;
-    mediump float angle = acos(clamp(side.towards.x, -1.0, 1.0)) * (0.5 + share * (0.31 + 0.19 * square * square));
+    mediump float angle = angleOf(side.towards.x) * (0.5 + share * (0.31 + 0.19 * square * square));
     return vec2(cos(angle), sin(angle));
 }
 
