@@ -216,17 +216,6 @@ void GlDevice::attach(GLenum point, TextureId id, int layer)
         gl_.FramebufferTexture2D(GL_FRAMEBUFFER, point, texture.target(), texture.name, 0);
 }
 
-namespace {
-
-// Of a volume that stands at several places, each has the next layer.
-int layerOf(const std::vector<TextureId>& color, int place)
-{
-    const auto same = [&](TextureId id) { return id.value == color[place].value; };
-    return static_cast<int>(std::count_if(color.begin(), color.begin() + place, same));
-}
-
-}  // namespace
-
 Status GlDevice::fill(GlFramebuffer& framebuffer, const std::string& label,
                       const std::vector<TextureId>& color, TextureId depth)
 {

@@ -81,10 +81,9 @@ void RecordingDevice::beginPass(const PassInfo& pass)
     const int count = std::min(pass.color_count, static_cast<int>(desc.color.size()));
     for (int i = 0; i < count; ++i) {
         loadAttachment(desc.color[i], pass.color_load[i], pass.color_store[i]);
-        int last_layer = pass.first_layer;
-        for (int j = 0; j < i; ++j) last_layer += desc.color[j].value == desc.color[i].value;
+        const int layer = pass.first_layer + layerOf(desc.color, i);
         const Object* texture = desc.color[i] ? objectOf(desc.color[i].value) : nullptr;
-        if (texture && texture->texture.depth > 0 && last_layer >= texture->texture.depth)
+        if (texture && texture->texture.depth > 0 && layer >= texture->texture.depth)
             blame("pass '" + std::string(pass.label) + "' draws past the last layer of texture '" +
                   texture->label + "'");
     }

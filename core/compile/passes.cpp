@@ -307,6 +307,17 @@ void addOutputs(const State& state, Plan& plan)
     }
 }
 
+// What draws the scene often, for passes of boxes alone to read, takes some frames to do it again.
+void spreadOverFrames(Plan& plan)
+{
+    constexpr int kMostDraws = 20;  // of the scene in a frame
+    for (PlanPass& pass : plan.passes) {
+        if (pass.box < 0 || pass.type != PassType::draw || pass.layers == 0) continue;
+        if (plan.targets[pass.color.front().target].last_pass == int(plan.passes.size())) continue;
+        pass.frames = (pass.layers / pass.layers_at_once + kMostDraws - 1) / kMostDraws;
+    }
+}
+
 // Requires that all readers are known.
 void discardUnread(Plan& plan)
 {
@@ -402,6 +413,7 @@ Plan buildPlan(const State& state)
     addOutputs(state, plan);
     shareTextures(state, plan);
     discardUnread(plan);
+    spreadOverFrames(plan);
     for (const PlanTexture& texture : plan.textures) plan.texture_bytes += textureBytes(texture);
     plan.elided = elided(state);
     return plan;

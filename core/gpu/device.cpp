@@ -23,6 +23,12 @@ DeviceCaps minimumCaps()
     return caps;
 }
 
+int layerOf(const std::vector<TextureId>& color, int place)
+{
+    const auto same = [&](TextureId id) { return id.value == color[place].value; };
+    return static_cast<int>(std::count_if(color.begin(), color.begin() + place, same));
+}
+
 Status checkReadable(const Device& device, TextureId id)
 {
     const ObjectInfo info = device.info(id);

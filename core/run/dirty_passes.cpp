@@ -16,6 +16,7 @@ PassCache::PassCache(const Plan& plan)
         PassNode& node = passes_.emplace_back();
         node.over = pass.over;
         node.boxed = pass.box >= 0 && !plan.reruns;
+        node.frames = pass.frames;
         for (const PlanInput& input : pass.inputs) {
             if (input.kind == InputKind::target) node.reads.push_back(input.index);
             node.remembers = node.remembers || input.kind == InputKind::history;
@@ -28,22 +29,33 @@ PassCache::PassCache(const Plan& plan)
     }
 }
 
+void PassCache::clear()
+{
+    slots_.assign(slots_.size(), kNothing);
+    for (PassNode& pass : passes_) pass.share = {}, pass.drawn = false;
+}
+
 int PassCache::slotOf(int view, int target) const
 {
     const int texture = plan_.targets[target].texture;
     return texture * plan_.views + (plan_.textures[texture].copies > 1 ? view : 0);
 }
 
-// Of the passes of boxes that have something to draw the next one.
+// Of the passes of boxes that have something to draw the next one, or the next share of one.
 void PassCache::chooseBoxed(const std::vector<char>& changed)
 {
     for (std::size_t i = 0; i < passes_.size(); ++i)
         passes_[i].pending = passes_[i].boxed && (passes_[i].pending || changed[i]);
     for (std::size_t i = 0; i < passes_.size(); ++i) {
         const std::size_t at = (turn_ + i) % passes_.size();
-        if (!passes_[at].pending) continue;
+        PassNode& pass = passes_[at];
+        const bool begun = !pass.share.isLast();
+        if (!pass.pending && !begun) continue;
+        // What was never drawn is asked for whole.
+        pass.share = Share{begun ? pass.share.index + 1 : 0, pass.drawn ? pass.frames : 1};
+        pass.pending = pass.pending && begun;
         runs_[at] = 1;
-        turn_ = at + 1;
+        turn_ = pass.share.isLast() ? at + 1 : at;
         return;
     }
 }
@@ -68,8 +80,9 @@ const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
     slots_.swap(next_slots_);
     for (std::size_t i = 0; i < passes_.size(); ++i) {
         PassNode& pass = passes_[i];
+        pass.drawn = pass.drawn || (runs_[i] && pass.share.isLast());
         const auto redrawn = [&](int target) { return runs_[writerOf(0, target)] != 0; };
-        pass.pending = !runs_[i] && (pass.pending || (pass.boxed && anyOf(pass.reads, redrawn)));
+        if (pass.boxed && !runs_[i] && anyOf(pass.reads, redrawn)) pass.pending = true;
     }
     return runs_;
 }
@@ -82,8 +95,10 @@ bool PassCache::findOverwritten()
     for (int view = 0; view < plan_.views; ++view)
         for (std::size_t i = 0; i < passes_.size(); ++i) {
             char& run = runs_[runOf(view, static_cast<int>(i))];
-            if (!run && passes_[i].over >= 0 && runs_[runOf(view, passes_[i].over)])
-                run = found = true;
+            if (!run && passes_[i].over >= 0 && runs_[runOf(view, passes_[i].over)]) {
+                runWhole(runOf(view, static_cast<int>(i)));
+                found = true;
+            }
             if (!run) continue;
             for (const int target : passes_[i].reads) found = requireTarget(view, target) || found;
             for (const int target : passes_[i].writes)
@@ -100,8 +115,16 @@ bool PassCache::requireTarget(int view, int target)
     const int writer = writerOf(view, target);
     // Where it runs, and what it wrote was overwritten before, that is the plan's business.
     if (next_slots_[slotOf(view, target)] == writer || runs_[writer]) return false;
-    runs_[writer] = 1;
+    runWhole(writer);
     return true;
+}
+
+void PassCache::runWhole(int run)
+{
+    runs_[run] = 1;
+    PassNode& pass = passes_[run % static_cast<int>(passes_.size())];
+    pass.share = {};
+    pass.pending = false;
 }
 
 }  // namespace crevice

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which passes of a plan a frame must run: those whose input has changed since they ran last, all
 // that read what those write, and those whose picture another one has overwritten meanwhile. Of
-// passes of boxes, whose picture may be some frames old, one a frame in turn, but for what was
-// never drawn; they are of all views, and run with the first.
+// passes of boxes, whose picture may be some frames old, one a frame in turn, or a part of it, but
+// for what was never drawn; they are of all views, and run with the first.
 //
 // Private to the renderer, and pure: it knows textures by their numbers in the plan.
 #pragma once
@@ -13,15 +13,25 @@ namespace crevice {
 
 class PassCache {
 public:
+    /// Of a pass's drawings one of `count` equal shares.
+    struct Share {
+        int index = 0, count = 1;
+        bool isFirst() const { return index == 0; }
+        bool isLast() const { return index + 1 == count; }
+    };
+
     explicit PassCache(const Plan& plan);
 
     /// Nothing is drawn yet, or nobody knows what has been.
-    void clear() { slots_.assign(slots_.size(), kNothing); }
+    void clear();
 
     /// Chooses for a frame. `changed`: by run (view * passes + pass), whether uniforms, draws or
     /// imported textures of it are others than when it ran last. The passes chosen count as run
     /// from then on. The answer is by run as well, and stays until the next call.
     const std::vector<char>& choose(const std::vector<char>& changed);
+
+    /// What is to be drawn of a pass that was chosen.
+    Share shareOf(std::size_t pass) const { return passes_[pass].share; }
 
 private:
     static constexpr int kNothing = -1;
@@ -33,6 +43,9 @@ private:
         bool remembers = false;   // reads or writes what changes with every frame
         bool boxed = false;       // of a box
         bool pending = false;     // ... and to be drawn
+        int frames = 1;           // over which it is drawn again
+        Share share = {};         // drawn last
+        bool drawn = false;       // all of it, once
     };
 
     int runOf(int view, int pass) const { return view * static_cast<int>(passes_.size()) + pass; }
@@ -45,6 +58,7 @@ private:
     void chooseBoxed(const std::vector<char>& changed);
     bool findOverwritten();
     bool requireTarget(int view, int target);
+    void runWhole(int run);
 
     const Plan& plan_;
     std::vector<PassNode> passes_;

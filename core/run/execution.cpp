@@ -160,7 +160,8 @@ Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
         PreparedBox* const box = of_box >= 0 ? &boxes_[of_box] : nullptr;
         timers.beginRun(run);
         if (box) values_.setFrame(frame, box->drawn);
-        runPass(runs_[run], box ? box->drawn : view.camera, box ? box->draws : view_draws_);
+        runPass(runs_[run], cache_.shareOf(run % plan_.passes.size()),
+                box ? box->drawn : view.camera, box ? box->draws : view_draws_);
         if (box) setView(frame, view);
         timers.endRun(run);
     }
@@ -252,11 +253,12 @@ void Execution::takeBoxes(const Frame& frame, const std::vector<char>& chosen)
     for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
         if (!chosen[i] || plan_.passes[i].box < 0) continue;
         PreparedBox& box = boxes_[plan_.passes[i].box];
+        const PassCache::Share share = cache_.shareOf(i);
         if (plan_.passes[i].type == PassType::draw) {
-            box.drawn = boxMatrices(box.center, box.edge);
+            if (share.isFirst()) box.drawn = boxMatrices(box.center, box.edge);
             box.draws.begin(box.drawn);
         }
-        if (i != box.last_pass) continue;
+        if (i != box.last_pass || !share.isLast()) continue;
         box.read = box.drawn;
         moved = true;
     }
@@ -390,14 +392,17 @@ void Execution::clearHistory(const PreparedPass& pass)
     device_.endPass();
 }
 
-void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera, ViewDraws& draws)
+void Execution::runPass(const PreparedPass& pass, PassCache::Share share,
+                        const CameraMatrices& camera, ViewDraws& draws)
 {
     values_.setViewport(pass.info.extent);
     PassInfo info = pass.info;
-    const int layers = std::max(pass.plan->layers, 1);
-    for (; info.first_layer < layers; info.first_layer += pass.plan->layers_at_once) {
-        info.makes_mips =
-            pass.info.makes_mips && info.first_layer + pass.plan->layers_at_once >= layers;
+    const int at_once = pass.plan->layers_at_once;
+    const int times = std::max(pass.plan->layers / at_once, 1);
+    for (int i = times * share.index / share.count; i < times * (share.index + 1) / share.count;
+         ++i) {
+        info.first_layer = i * at_once;
+        info.makes_mips = pass.info.makes_mips && i + 1 == times;
         values_.setLayer(info.first_layer);
         drawLayer(pass, info, camera, draws);
     }

@@ -177,7 +177,8 @@ private:
     void swapHistories();
     void clearHistory(const PreparedPass& pass);
     Status checkImports(const Frame& frame) const;
-    void runPass(const PreparedPass& pass, const CameraMatrices& camera, ViewDraws& draws);
+    void runPass(const PreparedPass& pass, PassCache::Share share, const CameraMatrices& camera,
+                 ViewDraws& draws);
     void drawLayer(const PreparedPass& pass, PassInfo info, const CameraMatrices& camera,
                    ViewDraws& draws);
     void setTextures(const std::vector<TextureBinding>& textures);

@@ -217,6 +217,9 @@ struct FramebufferDesc {
     TextureId resolve_depth = {};
 };
 
+/// Which of a volume's layers, from PassInfo::first_layer on, a place of `color` has.
+int layerOf(const std::vector<TextureId>& color, int place);
+
 struct ProgramDesc {
     std::string label = {};
     GlslStage vertex = {};

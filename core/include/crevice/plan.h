@@ -103,6 +103,7 @@ struct PlanPass {
     int box = -1;
     int layers = 0;  ///< Of the volumes that it draws; 0: none.
     int layers_at_once = 1;
+    int frames = 1;        ///< Over which its layers are spread when they are drawn again.
     int over = -1;         ///< Into Plan::passes: the one on whose outputs it draws; -1: none.
     int samples = 1;       ///< Of each attachment's pixels.
     bool blended = false;  ///< Draws what is blended, and nothing else.

@@ -93,7 +93,7 @@ mediump float blockedByVoxels(March march, Voxelled at, Side side, uint mask, in
 {
     uint open_mask = ~mask & 0x7fffffffu;
     mediump vec2 shift = fract(vec2(3.0 * march.noise.x + 0.03125, march.noise.y) + vec2(0.4375, 0.618) * float(i));
-    mediump vec2 into = wayInto(side, bitAbove(open_mask, shift.x));
+    mediump vec2 into = wayInto(side, bitAbove(open_mask, 0.25 + 0.5 * shift.x));
     mediump vec3 up = side.towards.y * march.to_camera - side.towards.x * side.along;
     mediump vec3 way = into.x * side.x + into.y * up;
     mediump float height = max(dot(way, march.plane), 0.02);
@@ -104,7 +104,7 @@ mediump float blockedByVoxels(March march, Voxelled at, Side side, uint mask, in
     mediump float width = exp2(level);
     mediump float open = 1.0;
     for (int k = 0; k < kRaySteps; ++k) {
-        mediump float far = kRayFirst + stride * (float(k) + shift.y);
+        mediump float far = kRayFirst + stride * (float(k) + 0.5);
         mediump vec3 filled = fillingAt(at.voxels, at.place + far * step_in_box, level);
         mediump float over = far * height / width;
         mediump float ahead = aheadOfSeen(march, march.point + far * at.size * way) / (width * at.size);

@@ -9,13 +9,14 @@ using namespace crevice;
 namespace {
 
 /// A box of 16 around the camera, in steps of 2; slices of it, four voxel layers of them, a reader.
-Description boxed(const std::string& edge = "[\"reach\", 4]")
+Description boxed(const std::string& edge = "[\"reach\", 4]", int cells = 4)
 {
     const std::string config = R"({
       "format": 1, "name": "boxed",
       "imports": {"camera": {"type": "camera"}, "scene": {"type": "draw_list"}},
       "params": {"reach": {"default": 4, "max": 100},
-                 "cells": {"type": "int", "default": 4, "min": 2, "max": 4096, "bind": "define"}},
+                 "cells": {"type": "int", "default": )" +
+                               std::to_string(cells) + R"(, "min": 2, "max": 4096, "bind": "define"}},
       "boxes": {"room": {"edge": )" +
                                edge + R"(}},
       "targets": {
@@ -158,6 +159,28 @@ TEST_CASE("Where all that is drawn fits into a smaller box, that is it, wherever
     rig.frame.draws[0].bounds_radius = -1;  // no longer known
     CHECK(rig.passes() == "slices");
     CHECK(rig.passes() == "voxels ao");
+}
+
+TEST_CASE("What draws the scene more than 20 times takes as many frames to do it again")
+{
+    Boxes rig;
+    rig.use(boxed("[\"reach\", 4]", 96));
+    const auto slices = [&rig] { return occurrences(rig.draw(), "beginPass slices "); };
+    CHECK(slices() == 24);  // the first frame has all
+    rig.moveTo(1.5);
+    CHECK(slices() == 12);
+    rig.moveTo(3.5);  // on its way to the first place it stays on it
+    const std::string log = rig.draw();
+    CHECK(occurrences(log, "beginPass slices ") == 12);
+    CHECK(has(log, "from layer 46"));
+    CHECK(isNear(rig.seenAt(), 0.5 + 3.5 / 16));
+    CHECK(rig.passes() == "voxels ao");
+    CHECK(isNear(rig.seenAt(), 0.5 + 1.5 / 16));
+    CHECK(slices() + slices() == 24);
+    CHECK(rig.passes() == "voxels ao");
+    CHECK(isNear(rig.seenAt(), 0.5 - 0.5 / 16));
+    CHECK(rig.passes().empty());
+    CHECK(has(toText(rig.renderer->plan()), "drawn 24 times for 48 layers, over 2 frames"));
 }
 
 TEST_CASE("Two views share what a box shows")

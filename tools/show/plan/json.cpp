@@ -73,6 +73,7 @@ Json passJson(const Plan& plan, const PlanPass& pass)
             {"box", pass.box < 0 ? Json() : Json(plan.boxes[pass.box].name)},
             {"layers", pass.layers},
             {"layers_at_once", pass.layers_at_once},
+            {"frames", pass.frames},
             {"scissor", pass.scissor},
             {"cull_below_pixel", culled < 0 ? Json() : Json(plan.params[culled].name)},
             {"state",

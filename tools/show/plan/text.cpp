@@ -90,7 +90,8 @@ std::string layersText(const PlanPass& pass)
 {
     if (pass.layers == 0) return "";
     return ", drawn " + std::to_string(pass.layers / pass.layers_at_once) + " times for " +
-           counted(std::size_t(pass.layers), "layer");
+           counted(std::size_t(pass.layers), "layer") +
+           (pass.frames > 1 ? ", over " + counted(std::size_t(pass.frames), "frame") : "");
 }
 
 std::string readText(const Plan& plan, const PlanInput& input)
