@@ -318,7 +318,8 @@ void fields(V& v, PassDesc& p)
         "Readers of them get what this pass leaves.");
     v.field("box", p.box,
             "The box by whose view the pass draws or that its picture is of. It is drawn when what "
-            "lies there changes or the box moves, and then one such pass a frame in turn.");
+            "lies there changes or the box moves, and then one such pass a frame in turn, "
+            "with no more than 20 draws of the scene.");
     v.field("blended", p.blended,
             "Draws what materials say is seen through, from far to near; other draw passes draw "
             "all but that.");

@@ -59,7 +59,7 @@ TEST_CASE("A wall off the screen, or hidden from it, darkens a floor as far as i
                              Case{"under a lid", 0.4f, true, {-0.2, 0.1}}}) {
         SceneRig rig(floorAndWall(each.wall, each.lid), kExtent);
         const Frame frame = rig.frame("eye=0,4,0;at=0,0,0;up=0,0,-1;ortho=0.72");
-        for (const char* const config : {"balanced", "balanced_far"}) {
+        for (const char* const config : {"balanced", "balanced_far", "vxao"}) {
             const Image ao = rig.draw(descriptionOf({config}, {"radius=1"}), frame);
             for (const double x : each.at) {
                 INFO(config << ", a wall " << each.what << " from " << x);

@@ -107,7 +107,7 @@ methods() {
 unseen() {
     local seed scene radius
     mapfile -t configs < <(configs_of unseen | grep -vx reference)
-    for seed in {100..119}; do
+    for seed in {500..519}; do
         read -r _ scene _ radius < <(python3 tests/unseen/scenes.py "$seed" "$work")
         quietly "$CREVICE" bench --scene "$scene" --radius "$radius" --size 480x270 --repeats 1 \
             "${configs[@]/#/--config=}" --out "$work/unseen"

@@ -45,6 +45,16 @@ highp vec4 cutsOf(highp vec4 off, highp float noise, highp vec4 per_way)
     return min(off / max(cut * radius, 1e-20) + slopes / slope_cut, 1e4);
 }
 
+// How far it is on the plane from a pixel to the next along an axis, in scene units.
+highp float wayAlong(highp vec2 axis, highp float share, mediump vec4 stored)
+{
+    highp vec2 way = axis * pixelSize(share);
+    highp vec3 ray = rayThrough(gl_FragCoord.xy);
+    highp float facing = dot(normalOf(stored), ray);
+    highp float deeper = -dot(normalOf(stored).xy, way) / (abs(facing) > 1e-3 ? facing : 1e-3);
+    return length(vec3(way, 0.0) + deeper * ray);
+}
+
 // Weights of the pixels two and one before, one and two after along an axis, the outer ones by half, from their shares
 // and that of the pixel between. `stored` is what source_normal has there.
 highp vec4 weightsAlong(highp vec2 axis, highp float share, highp vec4 shares, mediump vec4 stored)

@@ -5,8 +5,8 @@
 //   voxels  interface: how much of a place surfaces fill, as seen along each edge of a box
 //
 // Ours. Rays take even steps of the voxels' mips, so that time does not grow with the radius. Figures are means of rmse
-// over 16 scenes of tests/unseen/scenes.py (104 to 119), of a radius and of three times that: 0.058 and 0.066, in
-// balanced 0.065 and 0.085.
+// over 16 scenes of tests/unseen/scenes.py (104 to 119), of a radius and of three times that: 0.055 and 0.065, in
+// balanced 0.061 and 0.084.
 
 #include "common/angles.glsl"
 #include "ssao/shaders/march.glsl"
@@ -17,12 +17,12 @@
 const int kRaySteps = 4;
 const mediump float kRayFirst = 0.7;  // voxels along a ray to its first step
 // How far in front of what the screen shows, in voxels of a step, a place is taken for empty: from, and altogether.
-// Without the test 0.067 and 0.086.
+// Without the test 0.061 and 0.078.
 const mediump vec2 kSeenEmpty = vec2(0.0, 0.6);
 
 // More than a step's mean opacity, since steps straddle walls: with 1 visibility beside one that the screen does not show
-// is 0.05 too high, with 1.4 less than 0.03 (tests/effects/voxels_gl_test.cpp). Mean errors are the same.
-const mediump float kOpaque = 1.4;
+// is 0.05 too high, with 1.2 less than 0.03 (tests/effects/voxels_gl_test.cpp). Mean errors are the same.
+const mediump float kOpaque = 1.2;
 
 // Where a pixel's rays begin.
 struct Voxelled {
