@@ -2,7 +2,6 @@
 // crevice render: draws a scene through a config and writes what was asked for.
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/commands/cli/scene_lengths.h"
 #include "tools/commands/cli/watched_files.h"
 #include "tools/commands/commands.h"
 #include "tools/render/scene/camera_framing.h"

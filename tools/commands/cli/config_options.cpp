@@ -5,7 +5,6 @@
 
 #include "core/base/text.h"
 #include "tools/commands/cli/output.h"
-#include "tools/commands/cli/patch_text.h"
 #include "tools/render/image/image_file.h"
 
 #include <CLI/CLI.hpp>

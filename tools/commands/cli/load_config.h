@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A config with what a command sets in it, as a description.
+// A config with what a command sets in it, as a description, and the smallest patch between two.
 #pragma once
 
-#include "tools/commands/cli/scene_lengths.h"
+#include <crevice/config.h>
 
 namespace crevice {
 
@@ -18,8 +18,16 @@ struct ConfigOptions {
 /// What to load, as core has it.
 LoadRequest requestOf(const ConfigOptions& options);
 
-/// Loads, merges, decodes, and for what is no built-in scene fits lengths to `length`
-/// (scene_lengths.h). Errors: those of loadConfig and decode.
+/// The radius of a scene whose units nobody knows: two thirds of what 0.5 is of the scene 'room'.
+constexpr const char* kShareOfScene = "5%";
+
+/// Makes lengths that only files as shipped set `length`, such as "5%", and at most 8 % of the
+/// view's height at its median depth: who stands in a city does not see all of it. `document` is
+/// the description's.
+void fitLengths(Description& description, const Node& document, const char* length);
+
+/// Loads, merges, decodes, and where it `fits` has lengths fitted to `length`. Errors: those of
+/// loadConfig and decode.
 Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources,
                                     bool fits = false, const char* length = kShareOfScene);
 
@@ -32,5 +40,10 @@ struct LoadedConfig {
 /// As loadDescription.
 Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources,
                                      bool file_scene = false);
+
+/// A config that extends these and says, beyond them, only in what `now` differs from `base`. What
+/// a module that was swapped took with it is left out. Errors: those of decode, for `now`.
+Result<std::string> patchText(const Node& base, Node now, const std::vector<std::string>& extends,
+                              const SourceSet& sources);
 
 }  // namespace crevice

@@ -2,7 +2,7 @@
 #include "tools/show/page/engine/chooser.h"
 
 #include "core/base/text.h"
-#include "tools/commands/cli/patch_text.h"
+#include "tools/commands/cli/load_config.h"
 
 namespace crevice::page {
 namespace {

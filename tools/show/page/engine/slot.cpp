@@ -9,7 +9,6 @@
 #include "core/config/values.h"
 #include "core/json/merge.h"
 #include "tools/commands/cli/load_config.h"
-#include "tools/commands/cli/patch_text.h"
 #include "tools/show/plan/print.h"
 
 #include <nlohmann/json.hpp>
