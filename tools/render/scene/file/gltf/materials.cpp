@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/render/scene/file/gltf/materials.h"
+#include "tools/render/scene/file/gltf/file.h"
 
 #include "core/base/text.h"
 #include "tools/render/scene/file/import.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/render/scene/file/gltf/meshes.h"
+#include "tools/render/scene/file/gltf/file.h"
 
 #include "tools/render/scene/mesh_normals.h"
 

@@ -2,8 +2,7 @@
 // A glTF file as a scene: meshes at nodes, cameras and lights.
 #include "core/frame/frame_math.h"
 #include "tools/render/scene/file/folder.h"
-#include "tools/render/scene/file/gltf/meshes.h"
-#include "tools/render/scene/file/gltf/pose.h"
+#include "tools/render/scene/file/gltf/file.h"
 #include "tools/render/scene/file/limits.h"
 
 #include <glm/gtc/constants.hpp>

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: MIT
 #define TINYGLTF_IMPLEMENTATION
-#include "tools/render/scene/file/gltf/tinygltf.h"
+#include "tools/render/scene/file/gltf/file.h"
