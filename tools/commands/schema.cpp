@@ -4,7 +4,7 @@
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
-#include "tools/render/scene/file/left_out.h"
+#include "tools/render/scene/file/import.h"
 
 #include <CLI/CLI.hpp>
 

@@ -8,10 +8,7 @@
 #include "tools/render/image/srgb.h"
 #include "tools/render/scene/file/folder.h"
 #include "tools/render/scene/file/import.h"
-#include "tools/render/scene/file/left_out.h"
-#include "tools/render/scene/file/limits.h"
 #include "tools/render/scene/file/textures.h"
-#include "tools/render/scene/file/vertex_colors.h"
 #include "tools/render/scene/mesh_normals.h"
 
 #include <assimp/DefaultIOSystem.h>

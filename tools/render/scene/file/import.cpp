@@ -7,7 +7,6 @@
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/file/folder.h"
 #include "tools/render/scene/file/gltf/file.h"
-#include "tools/render/scene/file/limits.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>

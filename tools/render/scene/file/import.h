@@ -2,15 +2,14 @@
 // Scenes from files, in this process; what `importScene` runs in one of its own, and its parts.
 #pragma once
 
+#include "tools/commands/cli/child_process.h"
 #include "tools/render/scene/scene.h"
 
-#include <string_view>
+#include <set>
 
 struct aiScene;
 
 namespace crevice {
-
-struct LeftOut;
 
 class SceneFolder;
 class SceneTextures;
@@ -43,6 +42,26 @@ void setVertex(Vertex& vertex, const float* position, const float* normal);
 Diagnostic brokenScene(const std::string& path, const std::string& reason,
                        std::string help = kSceneFormats);
 
+/// What a scene may take, at most, by the size of its files: a small file that unfolds to a large
+/// scene is refused before it does.
+struct SceneLimits {
+    double nodes;      ///< And meshes at them, as often as they are drawn.
+    double parts;      ///< Primitives, and lights.
+    double triangles;  ///< Of all primitives.
+    double drawn;      ///< Triangles of all instances.
+    double texels;     ///< Of all textures.
+};
+
+/// Of a scene whose files have so many bytes.
+SceneLimits sceneLimits(std::uint64_t bytes);
+
+/// Of the process that reads it, so far as the files are known.
+ChildLimits readerLimits(std::uint64_t bytes, const ImportOptions& options);
+
+/// CV7002: the scene has `count` of `what`, or says so.
+Diagnostic overLimit(const std::string& path, const std::string& what, double count, double limit,
+                     std::uint64_t bytes);
+
 /// A scene as a file has it, and what was wrong with it.
 struct ReadScene {
     Scene scene = {};
@@ -61,9 +80,33 @@ Result<ReadScene> readGltf(const std::string& path, const ImportOptions& options
 Result<ReadScene> readByAssimp(const std::string& path, const ImportOptions& options,
                                SceneFolder& folder, Diagnostics& warnings);
 
+/// What a scene's file has and crevice does not draw.
+struct LeftOut {
+    std::set<std::string> shape = {};  ///< Surfaces, or holes in them, are not as the file says.
+    std::set<std::string> look = {};   ///< Their colours are not.
+
+    bool any() const { return !shape.empty() || !look.empty(); }
+
+    /// CV7010. Requires any().
+    Diagnostic warning(const std::string& path) const;
+};
+
+/// Adds what a file of OBJ's materials says that is not read; other files have nothing of it.
+void findLeftOutOfMtl(const std::string& file, LeftOut& left_out);
+
+/// The keys of such a file, and those and the extensions of glTF, as tables in Markdown.
+std::string mtlTable();
+std::string gltfTables();
+
 /// Appends a material for each of `from`'s, in its order, and the base-colour textures that they
 /// use, each once.
 void importMaterials(const aiScene& from, SceneTextures& textures, Scene& scene, LeftOut& left_out);
+
+/// `colors` has four numbers for each vertex. Gives each triangle corners of its own, whose texture
+/// coordinates are those of the texture that is returned: a block of 2 x 2 texels for each, between
+/// whose middles its colours run straight. Empty, and nothing changed, where there would be more
+/// than `most_texels`.
+Image paintedCorners(const std::vector<float>& colors, double most_texels, MeshDesc& mesh);
 
 /// Textures with alpha of which fewer texels than this part are neither clear nor solid are cut
 /// out.

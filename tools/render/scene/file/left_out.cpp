@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/render/scene/file/left_out.h"
+#include "tools/render/scene/file/import.h"
 
 #include "core/base/files.h"
 #include "core/base/text.h"

@@ -5,7 +5,6 @@
 #include "core/base/text.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/file/import.h"
-#include "tools/render/scene/file/limits.h"
 #include "tools/render/scene/scene_bytes.h"
 #include "tools/render/scene/transfer.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Materials of Assimp's.
 #include "tools/render/scene/file/import.h"
-#include "tools/render/scene/file/left_out.h"
 #include "tools/render/scene/file/textures.h"
 
 #include <assimp/material.h>

@@ -7,7 +7,6 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/render/scene/file/folder.h"
-#include "tools/render/scene/file/limits.h"
 
 namespace crevice {
 

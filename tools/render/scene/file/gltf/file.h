@@ -7,7 +7,6 @@
 #pragma once
 
 #include "tools/render/scene/file/import.h"
-#include "tools/render/scene/file/left_out.h"
 #include "tools/render/scene/file/textures.h"
 
 #include <nlohmann/json.hpp>

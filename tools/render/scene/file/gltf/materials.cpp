@@ -2,8 +2,6 @@
 #include "tools/render/scene/file/gltf/file.h"
 
 #include "core/base/text.h"
-#include "tools/render/scene/file/import.h"
-#include "tools/render/scene/file/vertex_colors.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

@@ -2,7 +2,6 @@
 #include "tools/render/scene/file/gltf/file.h"
 
 #include "core/base/text.h"
-#include "tools/render/scene/scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>

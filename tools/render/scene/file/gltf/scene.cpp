@@ -3,7 +3,6 @@
 #include "core/frame/frame_math.h"
 #include "tools/render/scene/file/folder.h"
 #include "tools/render/scene/file/gltf/file.h"
-#include "tools/render/scene/file/limits.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
