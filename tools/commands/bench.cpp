@@ -11,6 +11,7 @@
 #include "tools/measure/reference/tracer.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/scene/options.h"
+#include "tools/show/plan/print.h"
 
 #include "core/base/text.h"
 
@@ -54,7 +55,7 @@ void printMotion(const BenchPlan& plan, const std::vector<BenchSample>& samples,
         if (found == known.end() || found->second->motion.paths.empty()) continue;
         const BenchSample& sample = *found->second;
         const std::string title = viewName(sample.scene, sample.camera) + ", " +
-                                  extentName(sample.extent) + ", radius " + shortest(sample.radius);
+                                  sizeText(sample.extent) + ", radius " + shortest(sample.radius);
         tables[title].push_back({sampleLabel(sample), sample.error.rmse, sample.motion});
     }
     for (const auto& [title, rows] : tables)

@@ -155,7 +155,7 @@ std::string renderCommand(const BenchSample& sample)
 {
     std::string command = "crevice render " + sample.config;
     for (const std::string& value : sample.overrides) command += " --set " + value;
-    return command + " --scene " + sample.scene + " --size " + extentName(sample.extent) +
+    return command + " --scene " + sample.scene + " --size " + sizeText(sample.extent) +
            " --out ao=ao.png --frames " + std::to_string(kGatheringFrames);
 }
 
@@ -229,7 +229,7 @@ void printAnswer(const Answer& answer)
         print("  the error includes a flicker of %s\n", fixed(best.flicker, 4).c_str());
     print("  without ambient occlusion the error is %s\n", fixed(all.error_without_ao, 4).c_str());
     print("  %s%s at %s and radius %s on %s\n", all.views.size() > 1 ? "the worst of " : "",
-          counted(all.views.size(), "scene").c_str(), extentName(all.views[0].extent).c_str(),
+          counted(all.views.size(), "scene").c_str(), sizeText(all.views[0].extent).c_str(),
           joined({radii.begin(), radii.end()}).c_str(), all.device.c_str());
     if (answer.quick) printDetails(answer.bestSample(), details, by_time);
     print("why: of %zu measured configs, %zu have %s; this one is the fastest of those%s\n",

@@ -7,7 +7,7 @@
 #include "tools/measure/reference/tracer.h"
 #include "tools/render/image/image_file.h"
 #include "tools/show/plan/print.h"
-#include "tools/show/report/page.h"
+#include "tools/show/report/bench_report.h"
 
 #include "core/base/text.h"
 

@@ -3,6 +3,7 @@
 #include "tools/measure/bench/choice.h"
 
 #include "core/base/text.h"
+#include "tools/show/plan/print.h"
 
 #include <array>
 #include <cmath>
@@ -77,8 +78,7 @@ Result<std::string> chooseDevice(const std::vector<BenchSample>& samples, const 
 std::string missingScope(const std::vector<ResultView>& views)
 {
     std::set<std::string> names;
-    for (const ResultView& view : views)
-        names.insert(view.scene + " at " + extentName(view.extent));
+    for (const ResultView& view : views) names.insert(view.scene + " at " + sizeText(view.extent));
     return "the results hold: " + joined({names.begin(), names.end()});
 }
 
@@ -148,7 +148,7 @@ void addOtherwiseMeasured(const std::vector<BenchSample>& samples,
         for (const std::size_t i : view.samples) {
             const std::string label = sampleLabel(samples[i]);
             if (known.insert(label).second)
-                candidates.elided.push_back(label + ": measured at " + extentName(view.extent) +
+                candidates.elided.push_back(label + ": measured at " + sizeText(view.extent) +
                                             " and radius " + significant(view.radius, 6) +
                                             " alone");
         }
@@ -235,7 +235,7 @@ Result<Candidates> findCandidates(const std::vector<BenchSample>& samples, const
     candidates.views = mainViews(in_scope, *device, scope.extent);
     if (candidates.views.empty()) {
         const std::string scene = scope.scene.empty() ? "" : " of '" + scope.scene + "'";
-        const std::string size = scope.extent == Extent{} ? "" : " at " + extentName(scope.extent);
+        const std::string size = scope.extent == Extent{} ? "" : " at " + sizeText(scope.extent);
         return scopeError("there are no results" + scene + size, missingScope(all));
     }
     std::vector<std::string> unshared;

@@ -4,9 +4,9 @@
 #include "core/base/text.h"
 #include "tools/commands/cli/load_config.h"
 #include "tools/commands/cli/output.h"
-#include "tools/measure/bench/neighbours.h"
 #include "tools/measure/line_file.h"
 #include "tools/measure/taps.h"
+#include "tools/show/plan/print.h"
 
 #include <set>
 
@@ -135,7 +135,7 @@ void QuickBench::sayLeader(bool first_look)
     std::vector<Standing> all = standings();
     for (Standing& standing : all) standing.measured |= first_look;
     const auto first = leaderOf(all, options_.limits);
-    const std::string small = "a first look, in a picture of " + extentName(meter_.smallExtent());
+    const std::string small = "a first look, in a picture of " + sizeText(meter_.smallExtent());
     const std::string at = fixed(seconds(), 0) + " s: " + (first_look ? small + ": " : "");
     if (!first && first_look && !all.empty())
         options_.say(at + "the nearest to the limits is " +

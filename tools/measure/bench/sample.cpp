@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 #include "tools/measure/line_file.h"
+#include "tools/show/plan/print.h"
 
 #include <nlohmann/json.hpp>
 
@@ -131,12 +132,7 @@ std::string sampleTitle(const BenchSample& sample)
 {
     std::string title = sample.config;
     for (const std::string& text : sample.overrides) title += " " + text;
-    return title + nameSuffix(sample) + ", " + sample.scene + ", " + extentName(sample.extent);
-}
-
-std::string extentName(Extent extent)
-{
-    return std::to_string(extent.width) + "x" + std::to_string(extent.height);
+    return title + nameSuffix(sample) + ", " + sample.scene + ", " + sizeText(sample.extent);
 }
 
 std::string toJsonLine(const BenchSample& sample)

@@ -114,9 +114,6 @@ std::string sampleLabel(const BenchSample& sample);
 /// "bitmask radius=0.5 samples=16, room, 960x540".
 std::string sampleTitle(const BenchSample& sample);
 
-/// "960x540".
-std::string extentName(Extent extent);
-
 /// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one sample
 /// on one device the later one holds, but a failure never hides figures of its own key. A line that
 /// an interrupt cut short is left out with a warning. Pictures come back relative to the working

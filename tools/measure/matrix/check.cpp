@@ -8,7 +8,6 @@
 #include "tools/measure/bench/measure.h"
 #include "tools/measure/line_file.h"
 #include "tools/measure/matrix/stage.h"
-#include "tools/render/image/flip.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/image/image_metrics.h"
 #include "tools/show/plan/print.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/measure/reference/sparse_truth.h"
 
-#include "tools/measure/reference/processors.h"
+#include "tools/measure/reference/pixel_tracer.h"
 
 #include <cmath>
 #include <optional>

@@ -11,7 +11,6 @@
 #include "core/base/text.h"
 #include "tools/commands/cli/config_options.h"
 #include "tools/measure/reference/pixel_tracer.h"
-#include "tools/measure/reference/processors.h"
 #include "tools/render/image/image_file.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // [Andersson et al. 2020], section by section: 4.1 colours as the eye filters them, 4.2 edges and
 // points, 4.3 both in one.
-#include "tools/render/image/flip.h"
+#include "tools/render/image/image_metrics.h"
 
 #include "tools/render/image/srgb.h"
 

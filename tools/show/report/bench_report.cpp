@@ -6,7 +6,7 @@
 #include "core/base/text.h"
 #include "tools/measure/bench/choice.h"
 #include "tools/measure/line_file.h"
-#include "tools/show/report/page.h"
+#include "tools/show/plan/print.h"
 
 #include <nlohmann/json.hpp>
 
@@ -98,7 +98,7 @@ json adviceFor(const std::vector<BenchSample>& samples, const std::string& devic
     return {{"device", device},
             {"software", own.front().software},
             {"clock", own.front().clock},
-            {"size", extentName(candidates->views.front().extent)},
+            {"size", sizeText(candidates->views.front().extent)},
             {"views", std::move(views)},
             {"steps", stepsOf(candidates->list)},
             {"elided", candidates->elided},
@@ -150,6 +150,24 @@ json flat(const json& value)
     return text;
 }
 
+/// Where in the page the figures go.
+constexpr std::string_view kDataMark = "/*report.json*/";
+
+/// The same with every text as it can be shown.
+json shown(const json& data)
+{
+    if (data.is_string()) return printable(data.get_ref<const std::string&>());
+    if (!data.is_structured()) return data;
+    json copy = data.is_array() ? json::array() : json::object();
+    for (const auto& [key, value] : data.items()) {
+        if (data.is_array())
+            copy.push_back(shown(value));
+        else
+            copy[printable(key)] = shown(value);
+    }
+    return copy;
+}
+
 }  // namespace
 
 json reportModel(const std::vector<BenchSample>& samples)
@@ -172,7 +190,7 @@ json reportModel(const std::vector<BenchSample>& samples)
         model["views"].push_back(
             {{"device", view.device},
              {"name", view.name},
-             {"size", extentName(view.extent)},
+             {"size", sizeText(view.extent)},
              {"radius", view.radius},
              {"main", is_main},
              {"bench_samples", view.samples},
@@ -208,6 +226,16 @@ Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool wit
     json model = reportModel(samples);
     model["pictures"] = with_pictures ? picturesOf(samples, warnings) : json::object();
     return {pageOf(benchPage(), model), std::move(warnings)};
+}
+
+std::string pageOf(std::string_view page, const json& model)
+{
+    std::string figures;
+    for (const char c : jsonLine(shown(model)))  // in which "</script>" must end nothing
+        c == '<' ? figures += "\\u003c" : figures += c;
+    std::string text(page);
+    text.replace(text.find(kDataMark), kDataMark.size(), figures);
+    return text;
 }
 
 }  // namespace crevice

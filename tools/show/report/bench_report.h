@@ -25,4 +25,12 @@ std::string reportCsv(const std::vector<BenchSample>& samples);
 /// be read is left out with a warning CV7005.
 Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures = true);
 
+/// The page with the model in the place of its mark "/*report.json*/". Every text becomes
+/// printable, and none ends the script that it stands in.
+std::string pageOf(std::string_view page, const nlohmann::json& model);
+
+/// The page on a matrix's results, for resultsJson: what failed, with got, wanted, difference and a
+/// slider that wipes from one to the other. Its pictures lie beside it.
+std::string_view matrixPage();
+
 }  // namespace crevice

@@ -5,7 +5,7 @@
 #include "core/base/text.h"
 #include "tests/support/catch.h"
 #include "tests/support/need.h"
-#include "tools/measure/bench/neighbours.h"
+#include "tools/measure/taps.h"
 
 #include <crevice/shipped.h>
 

@@ -6,7 +6,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/show/report/page.h"
+#include "tools/show/report/bench_report.h"
 
 #include <nlohmann/json.hpp>
 

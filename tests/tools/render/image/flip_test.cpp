@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // FLIP against what its paper's own program gives, and against what any difference must be.
-#include "tools/render/image/flip.h"
+#include "tools/render/image/image_metrics.h"
 
 #include "tests/support/catch.h"
 
