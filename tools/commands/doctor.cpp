@@ -51,19 +51,14 @@ Result<std::vector<Image>> drawIn(Device& device, const Description& description
 {
     const Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
     if (!scene) return scene.diagnostics();
-    const Frame shown = makeFrame(*scene, view.camera, view.extent);
-    Result<HostTextures> host = HostTextures::make(device, description, view.extent, shown);
-    if (!host) return host.diagnostics();
-    const Result<Frame> frame = host->frameOf(shown);
-    if (!frame) return frame.diagnostics();
-    const auto renderer =
-        Renderer::create(device, description, {view.extent, {}, {"aliasing"}}, traitsOf(*frame));
-    if (!renderer) return renderer.diagnostics();
-    for (int i = 0; i < options.frames; ++i)
-        if (const Status drawn = (*renderer)->render(*frame); !drawn) return drawn.diagnostics();
+    Drawn drawn;
+    Status done = drawn.prepare(device, description, makeFrame(*scene, view.camera, view.extent),
+                                {view.extent, {}, {"aliasing"}});
+    for (int i = 0; i < options.frames && done; ++i) done = drawn.renderer->render(drawn.frame);
+    if (!done) return done.diagnostics();
     std::vector<Image> images;
     for (const WatchedTarget& each : watched) {
-        Result<Image> image = readOutput(device, **renderer, each.output);
+        Result<Image> image = readOutput(device, *drawn.renderer, each.output);
         if (!image) return image.diagnostics();
         images.push_back(std::move(*image));
     }

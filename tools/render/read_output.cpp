@@ -2,6 +2,7 @@
 #include "tools/render/read_output.h"
 
 #include "core/base/text.h"
+#include "tools/commands/cli/load_config.h"
 
 #include <crevice/shipped.h>
 
@@ -70,9 +71,8 @@ Result<Image> drawSettled(Device& device, Renderer& renderer, const Frame& frame
 Result<Image> drawDepth(Device& device, Frame frame, Extent extent)
 {
     frame.other_views.clear();
-    const Result<Node> document = loadConfig(shippedSources(), {kDepthModule});
-    if (!document) return document.diagnostics();
-    const Result<Description> description = decode(*document, shippedSources());
+    const Result<Description> description =
+        loadDescription({kDepthModule, {}, {}, {}}, shippedSources());
     if (!description) return description.diagnostics();
     const auto renderer = Renderer::create(device, *description, {extent, {}, {}}, traitsOf(frame));
     if (!renderer) return renderer.diagnostics();

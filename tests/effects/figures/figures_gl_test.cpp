@@ -119,11 +119,8 @@ struct Spheres : SceneRig {
         const auto known = traced.find(&view);
         if (known != traced.end()) return known->second;
         extent = view.extent;
-        TraceOptions options;
-        options.radius = view.radius;
-        options.rays = kRays;
-        return traced[&view] =
-                   need(traceAmbientOcclusion(scene, frame(view.camera).camera, extent, options));
+        return traced[&view] = need(traceAmbientOcclusion(scene, frame(view.camera).camera, extent,
+                                                          {view.radius, kRays}));
     }
 
     std::map<const View*, Image> traced;

@@ -82,10 +82,8 @@ Status ViewMeter::open(Picture& picture, Extent extent)
 {
     picture.view = {seen_.scene, seen_.bounds, seen_.camera, extent};
     picture.frame = makeFrame(*scene_, seen_.camera, extent);
-    TraceOptions trace;
-    trace.radius = radius_;
-    trace.rays = kTraceRays;
-    Result<SparseTruth> truth = SparseTruth::begin(*rays_, picture.view.matrices(), extent, trace);
+    Result<SparseTruth> truth =
+        SparseTruth::begin(*rays_, picture.view.matrices(), extent, {radius_, kTraceRays});
     if (!truth) return truth.diagnostics();
     picture.truth.emplace(std::move(*truth));
     picture.unit = Yardstick(device_, sources_, extent, picture.frame, radius_);

@@ -3,10 +3,10 @@
 // and their costs. What takes long comes in steps, between which a page is drawn.
 #pragma once
 
-#include "tools/measure/bench/drawn.h"
 #include "tools/measure/bench/times.h"
 #include "tools/measure/motion/measure.h"
 #include "tools/measure/reference/sparse_truth.h"
+#include "tools/render/host_textures.h"
 #include "tools/render/scene_upload.h"
 
 namespace crevice {

@@ -101,10 +101,7 @@ Status BenchMeter::enter(const BenchTask& task)
     auto setting = std::make_unique<Setting>(view, std::move(*scene));
     setting->reference = task.reference;
 
-    TraceOptions trace;
-    trace.radius = task.sample.radius;
-    trace.rays = options_.rays;
-    trace.progress = options_.tracing;
+    const TraceOptions trace = {task.sample.radius, options_.rays, 0, options_.tracing};
     setting->ground_truth =
         cachedReference(*view.scene, view.matrices(), view.extent, trace, options_.cache_folder);
 

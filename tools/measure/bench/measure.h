@@ -10,6 +10,7 @@
 
 #include "tools/measure/bench/run.h"
 #include "tools/measure/bench/times.h"
+#include "tools/render/host_textures.h"
 
 namespace crevice {
 

@@ -186,8 +186,6 @@ private:
     {
         if (place.failure.empty()) {
             const BenchView& view = plan.views.back();
-            const Camera camera = {view.camera.view_from_world,
-                                   clipFromView(view.camera, view.extent, view.bounds)};
             const auto distance = [&] {
                 const auto found = distances_.find(plan.views.size());
                 if (found != distances_.end()) return found->second;
@@ -197,7 +195,7 @@ private:
                     .first->second;
             };
             const Result<std::string> known = resolveLengths(
-                loaded.description, camera, view.extent, view.bounds.diagonal(), distance);
+                loaded.description, view.matrices(), view.extent, view.bounds.diagonal(), distance);
             if (!known) return known.diagnostics();
         }
         const std::vector<OutputDesc>& outputs = loaded.description.outputs;
@@ -224,10 +222,8 @@ private:
         std::string& key = references_[{plan.views.size(), radius}];
         if (!key.empty()) return key;
         const BenchView& view = plan.views.back();
-        TraceOptions trace;
-        trace.radius = radius;
-        trace.rays = options_.rays;
-        return key = referenceKey(*view.scene, view.matrices(), view.extent, trace);
+        return key =
+                   referenceKey(*view.scene, view.matrices(), view.extent, {radius, options_.rays});
     }
 
     void note(const std::string& message) { collect({asWarning({Code::out_of_range, message})}); }

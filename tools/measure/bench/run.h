@@ -8,7 +8,7 @@
 
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/measure/bench/drawn.h"
+#include "tools/measure/bench/sample.h"
 #include "tools/measure/line_file.h"
 
 #include <set>

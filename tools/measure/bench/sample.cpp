@@ -100,6 +100,16 @@ private:
 
 }  // namespace
 
+Camera BenchView::matrices() const
+{
+    return {camera.view_from_world, clipFromView(camera, extent, bounds)};
+}
+
+bool isPresetConfig(std::string_view config)
+{
+    return contains({"mobile_low", "mobile", "balanced", "high"}, config);
+}
+
 std::string questionOf(const BenchSample& sample)
 {
     nlohmann::json question = {sample.config, sample.overrides, sample.scene, sample.camera,

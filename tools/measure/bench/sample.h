@@ -14,6 +14,20 @@
 
 namespace crevice {
 
+/// What several samples look at.
+struct BenchView {
+    std::shared_ptr<const Scene> scene;
+    Bounds bounds;
+    SceneCamera camera;
+    Extent extent;
+
+    Camera matrices() const;
+};
+
+/// Whether its figures say most about what to take (docs/which_config.md), so that it is measured
+/// first. `reference`, which takes too long, is none.
+bool isPresetConfig(std::string_view config);
+
 /// Median and quartiles over the repeats, milliseconds.
 struct TimeFigures {
     double median = 0;

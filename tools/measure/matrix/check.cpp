@@ -189,7 +189,8 @@ private:
         const Result<PreparedChoice> own = prepare(cell.choice), other = prepare(other_choice);
         for (const Result<PreparedChoice>* each : {&own, &other})
             if (!*each) return each->diagnostics();
-        TurnTaker turns(*own->renderer, own->frame), units(*other->renderer, other->frame);
+        TurnTaker turns(*own->drawn.renderer, own->drawn.frame),
+            units(*other->drawn.renderer, other->drawn.frame);
         Turns both(turns, &units, kTurns, kMostPatience * kTurns);
         const Status taken = both.take(interrupted, [&](const TurnTaker& next) {
             return (&next == &turns ? own : other)->open->context->makeCurrent();

@@ -21,7 +21,7 @@ constexpr std::size_t kKeptFloats = 64u << 20;
 /// A choice on its device, whose context is current after MatrixStage::enter.
 struct EnteredChoice {
     OpenDevice* open;
-    Frame frame;              ///< Of the scene; `prepare` adds the host's textures.
+    Frame frame;              ///< Of the scene.
     Description description;  ///< With lengths in the scene's units.
 };
 
@@ -31,11 +31,10 @@ struct PreparedChoice : EnteredChoice {
     PreparedChoice(PreparedChoice&&) = default;
     ~PreparedChoice()
     {
-        if (renderer) (void)open->context->makeCurrent();  // what goes then is this context's
+        if (drawn.renderer) (void)open->context->makeCurrent();  // what goes then is this context's
     }
 
-    std::unique_ptr<HostTextures> host = nullptr;
-    std::unique_ptr<Renderer> renderer = nullptr;
+    Drawn drawn = {};
 };
 
 /// The plan must outlive it.
@@ -85,20 +84,10 @@ public:
         Result<EnteredChoice> entered = enter(choice);
         if (!entered) return entered.diagnostics();
         PreparedChoice prepared(std::move(*entered));
-        Device& device = *prepared.open->device;
-        const Extent extent = plan_.shots.at(choice).extent;
-        Result<HostTextures> host =
-            HostTextures::make(device, prepared.description, extent, prepared.frame);
-        if (!host) return host.diagnostics();
-        prepared.host = std::make_unique<HostTextures>(std::move(*host));
-        Result<Frame> frame = prepared.host->frameOf(prepared.frame);
-        if (!frame) return frame.diagnostics();
-        prepared.frame = std::move(*frame);
-        auto renderer =
-            Renderer::create(device, prepared.description, {extent, std::move(outputs), {}},
-                             traitsOf(prepared.frame));
-        if (!renderer) return renderer.diagnostics();
-        prepared.renderer = std::move(*renderer);
+        const Status ready =
+            prepared.drawn.prepare(*prepared.open->device, prepared.description, prepared.frame,
+                                   {plan_.shots.at(choice).extent, std::move(outputs), {}});
+        if (!ready) return ready.diagnostics();
         return prepared;
     }
 
@@ -113,11 +102,12 @@ public:
         Result<PreparedChoice> prepared = prepare(choice, outputs);
         if (!prepared) return prepared.diagnostics();
         Device& device = *prepared->open->device;
-        const auto first = drawSettled(device, *prepared->renderer, prepared->frame, outputs[0]);
+        const Drawn& drawn = prepared->drawn;
+        const auto first = drawSettled(device, *drawn.renderer, drawn.frame, outputs[0]);
         if (!first) return first.diagnostics();
         std::map<std::string, Image> pictures;
         for (const auto& [name, source] : sources) {
-            Result<Image> image = readOutput(device, *prepared->renderer, source.output);
+            Result<Image> image = readOutput(device, *drawn.renderer, source.output);
             if (!image) return image.diagnostics();
             applyView(*image, source);
             kept_floats_ += image->pixels.size();
@@ -153,9 +143,8 @@ public:
         const Result<EnteredChoice> entered = enter(choice);
         if (!entered) return entered.diagnostics();
         const MatrixShot& shot = plan_.shots.at(choice);
-        TraceOptions trace;
-        trace.radius = findNamed(entered->description.params, "radius")->value[0];
-        trace.rays = rays;
+        const TraceOptions trace = {findNamed(entered->description.params, "radius")->value[0],
+                                    rays};
         return cachedReference(shot.scene->scene, entered->frame.camera, shot.extent, trace,
                                cache_folder);
     }

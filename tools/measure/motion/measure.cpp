@@ -28,9 +28,7 @@ public:
 
     Result<Traced> trace(const Camera& camera)
     {
-        TraceOptions options;
-        options.radius = view_.radius;
-        options.rays = view_.rays;
+        TraceOptions options = {view_.radius, view_.rays};
         constexpr double kAll = std::size(kCameraPaths) * kMeasuredFrames;
         if (progress_) options.progress = [this](double done) { progress_((done_ + done) / kAll); };
         const Extent extent = view_.end.extent;

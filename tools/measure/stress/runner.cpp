@@ -302,11 +302,8 @@ void StressRunner::compareToTruth(const StressTask& task, const StressShot& shot
     if (known || shot.output != "ao" ||
         std::min(shot.extent.width, shot.extent.height) < kLeastSide)
         return;
-    TraceOptions trace;
-    trace.radius = shot.radius;
-    trace.rays = kGroundTruthRays;
-    Result<Image> ground_truth =
-        cachedReference(shot.scene, shot.camera, shot.extent, trace, cache_folder_);
+    Result<Image> ground_truth = cachedReference(shot.scene, shot.camera, shot.extent,
+                                                 {shot.radius, kGroundTruthRays}, cache_folder_);
     if (!ground_truth) return;
     describeError(done.ao, *ground_truth, done.record);
     done.ground_truth = std::move(*ground_truth);

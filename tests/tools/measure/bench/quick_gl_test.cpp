@@ -61,10 +61,7 @@ TEST_CASE("A quick answer says what a bench would say, within its margins")
               return each.config == "mobile_low" && each.overrides.size() > 1;
           }) > 0);  // neighbours
 
-    TraceOptions trace;
-    trace.radius = 1;
-    const Image truth =
-        need(traceAmbientOcclusion(*view.scene, view.matrices(), view.extent, trace));
+    const Image truth = need(traceAmbientOcclusion(*view.scene, view.matrices(), view.extent, {1}));
     const Description description =
         need(loadDescription({best.config, {}, best.overrides, {}}, shippedSources()));
     const UploadedScene scene = need(UploadedScene::upload(*gl.device, *view.scene));

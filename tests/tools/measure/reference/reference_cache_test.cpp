@@ -23,7 +23,7 @@ const Camera kCamera = {glm::lookAt(glm::vec3(0, 2, 8), glm::vec3(0), glm::vec3(
                         glm::perspective(0.9f, 1.0f, 0.1f, 50.0f)};
 const Extent kExtent = {16, 16};
 
-const TraceOptions kOptions = traceOptions(1, 8);
+const TraceOptions kOptions = {1, 8};
 
 Result<Image> cached(const std::string& folder, const Camera& camera = kCamera)
 {

@@ -21,7 +21,7 @@ struct Subject {
 
     SparseTruth begin() const
     {
-        return need(SparseTruth::begin(*tree, shot.camera, kExtent, traceOptions(4.0, 32)));
+        return need(SparseTruth::begin(*tree, shot.camera, kExtent, {4.0, 32}));
     }
 };
 

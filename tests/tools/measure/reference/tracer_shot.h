@@ -79,19 +79,11 @@ inline Shot shotOf(Scene scene, const Placement& placement, const glm::dvec3& ce
         {view * glm::inverse(placement.matrix()), glm::ortho(-side, side, -side, side, 0.0f, end)}};
 }
 
-inline TraceOptions traceOptions(double radius, int rays)
-{
-    TraceOptions options;
-    options.radius = radius;
-    options.rays = rays;
-    return options;
-}
-
 /// Of a Scene or a RayScene.
 template <class AnyScene>
 Image trace(const AnyScene& scene, const Camera& camera, Extent extent, double radius, int rays)
 {
-    return need(traceAmbientOcclusion(scene, camera, extent, traceOptions(radius, rays)));
+    return need(traceAmbientOcclusion(scene, camera, extent, {radius, rays}));
 }
 
 inline Image trace(const Shot& shot, Extent extent, double radius, int rays = 4096)

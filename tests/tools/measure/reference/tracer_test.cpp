@@ -53,8 +53,7 @@ struct Subject {
 
     ProgressiveTrace begin(int rays, double radius = 1.0) const
     {
-        return need(
-            ProgressiveTrace::begin(*tree, shot.camera, kExtent, traceOptions(radius, rays)));
+        return need(ProgressiveTrace::begin(*tree, shot.camera, kExtent, {radius, rays}));
     }
 
     Image whole(int rays) const { return trace(*tree, shot.camera, kExtent, 1.0, rays); }
@@ -70,7 +69,7 @@ void traceAll(ProgressiveTrace& trace, int pass)
 TEST_CASE("the picture does not depend on the number of threads, and progress ends at one")
 {
     const Scene scene = cornerWithSphere();
-    TraceOptions options = traceOptions(0.5, 16);
+    TraceOptions options = {0.5, 16};
     options.threads = 1;
     double last = 0;
     options.progress = [&](double done) {
@@ -158,7 +157,7 @@ TEST_CASE("options and cameras that cannot be traced are refused, in passes too"
     const Scene scene = sceneOf({kFloor});
     const auto tree = makeBvhScene(scene, {0, 20, 0});
     for (const Row& row : rows) {
-        const TraceOptions options = traceOptions(row.radius, row.rays);
+        const TraceOptions options = {row.radius, row.rays};
         onlyError(traceAmbientOcclusion(scene, row.camera, row.extent, options), row.code);
         CHECK_FALSE(ProgressiveTrace::begin(*tree, row.camera, row.extent, options).ok());
     }
@@ -173,7 +172,7 @@ TEST_CASE("after all passes the picture is the whole one, bit by bit, with eithe
         for (const int rays : {1, 9, 64, 100, 256}) {
             const Camera& camera = subject.shot.camera;
             ProgressiveTrace passes =
-                need(ProgressiveTrace::begin(*scene, camera, kExtent, traceOptions(1.0, rays)));
+                need(ProgressiveTrace::begin(*scene, camera, kExtent, {1.0, rays}));
             for (int pass = 0; pass < passes.passes(); ++pass) traceAll(passes, pass);
             CHECK(sameBits(passes.image(), trace(*scene, camera, kExtent, 1.0, rays)));
         }

@@ -3,6 +3,7 @@
 #include "tools/show/page/engine/stage.h"
 
 #include "core/base/text.h"
+#include "tools/commands/cli/load_config.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
 
@@ -112,9 +113,7 @@ Result<Display> Display::create(Device& device, const std::string& config,
     own.add("configs/display.json", config);
     own.add("page/display.frag", shader);
     const LayeredSources sources({&own, &shippedSources()});
-    const Result<Node> document = loadConfig(sources, {"display"});
-    if (!document) return document.diagnostics();
-    Result<Description> description = decode(*document, sources);
+    Result<Description> description = loadDescription({"display", {}, {}, {}}, sources);
     if (!description) return description.diagnostics();
     auto renderer = Renderer::create(device, std::move(*description), {extent}, SceneTraits());
     if (!renderer) return renderer.diagnostics();

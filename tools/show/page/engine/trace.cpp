@@ -27,9 +27,7 @@ Status begin(const std::string& text, Extent extent, const TraceOptions& options
     const double aspect = double(extent.width) / extent.height;
     const Result<SceneCamera> chosen = chooseCamera(trace.scene, trace.bounds, text, aspect);
     if (!chosen) return chosen.diagnostics();
-    Camera camera;
-    camera.view_from_world = chosen->view_from_world;
-    camera.clip_from_view = clipFromView(*chosen, extent, trace.bounds);
+    const Camera camera = {chosen->view_from_world, clipFromView(*chosen, extent, trace.bounds)};
     if (!trace.tree)
         trace.tree = makeBvhScene(trace.scene, glm::inverse(camera.view_from_world)[3]);
     Result<ProgressiveTrace> progress =
@@ -57,10 +55,7 @@ EXPORT const char* page_trace_scene(const char* data, int size)
 EXPORT const char* page_trace_begin(const char* camera, int width, int height, double radius,
                                     int rays)
 {
-    TraceOptions options;
-    options.radius = radius;
-    options.rays = rays;
-    Json json = answer(begin(camera, {width, height}, options));
+    Json json = answer(begin(camera, {width, height}, {radius, rays}));
     if (json["ok"]) json["passes"] = trace.progress->passes();
     return say(json);
 }
