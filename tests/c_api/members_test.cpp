@@ -5,7 +5,6 @@
 #include "tests/c_api/c_scene.h"
 
 #include "effects/api/c/calls.h"
-#include "tests/support/catch.h"
 
 #include <algorithm>
 #include <numeric>

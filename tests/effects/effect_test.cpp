@@ -5,7 +5,6 @@
 
 #include <crevice/recording_device.h>
 
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 

@@ -3,10 +3,8 @@
 #include <crevice/governor.h>
 
 #include "core/base/text.h"
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 
-#include <cmath>
 #include <functional>
 #include <random>
 

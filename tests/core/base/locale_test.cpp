@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A host's locale changes nothing: Qt and GTK programs call setlocale, and then printf writes 0,5.
-#include "tests/support/catch.h"
-
 #include "tests/support/comma_locale.h"
 
 #include "core/base/text.h"

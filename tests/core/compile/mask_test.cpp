@@ -4,7 +4,6 @@
 // them.
 #include "tests/support/plan_rig.h"
 
-#include "core/frame/frame_math.h"
 #include "tests/support/renderer_rig.h"
 
 #include <glm/gtc/matrix_transform.hpp>

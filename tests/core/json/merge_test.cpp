@@ -4,7 +4,6 @@
 #include "core/json/merge.h"
 
 #include "tests/core/config/load_fixture.h"
-#include "tests/support/catch.h"
 
 using namespace crevice;
 

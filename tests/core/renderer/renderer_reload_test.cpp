@@ -5,8 +5,6 @@
 // Levels of quality, switched while a config runs: nothing compiles then.
 #include "tests/support/renderer_rig.h"
 
-#include "tests/support/catch.h"
-
 using namespace crevice;
 
 namespace {

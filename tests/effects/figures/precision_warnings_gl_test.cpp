@@ -9,7 +9,6 @@
 #include "core/base/text.h"
 #include "tests/support/nightly.h"
 #include "tests/support/picture.h"
-#include "tools/commands/cli/config_options.h"
 #include "tools/measure/stress/limits.h"
 #include "tools/measure/stress/scenes.h"
 #include "tools/render/scene/mesh_shapes.h"

@@ -11,8 +11,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cmath>
-
 using namespace crevice;
 
 namespace {

@@ -5,7 +5,6 @@
 // can go wrong.
 #include "tests/support/need.h"
 
-#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/commands/cli/child_process.h"
 #include "tools/commands/cli/output.h"

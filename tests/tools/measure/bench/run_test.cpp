@@ -3,7 +3,6 @@
 // Depth taps a pixel of configs that count them and of configs that march in slices.
 #include "tools/measure/bench/run.h"
 
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/measure/taps.h"

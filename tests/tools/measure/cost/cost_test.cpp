@@ -3,7 +3,6 @@
 // What compilers print, as they printed it with Mesa 22.3.6.
 #include "tools/measure/cost/cost.h"
 #include "core/base/text.h"
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tools/measure/cost/counting_device.h"
 #include "tools/measure/cost/gpus.h"

@@ -4,7 +4,6 @@
 #include "tools/commands/cli/config_options.h"
 #include "tools/measure/cost/counting_device.h"
 #include "tools/render/read_output.h"
-#include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene_upload.h"
 
 #include <cmath>

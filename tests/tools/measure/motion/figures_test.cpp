@@ -4,10 +4,8 @@
 // Which surface points two frames share, and where.
 #include "tools/measure/motion/figures.h"
 
-#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/reference/tracer_shot.h"
-#include "tools/measure/motion/figures.h"
 #include "tools/measure/motion/measure.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -10,8 +10,6 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/stress/made_records.h"
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 
 using namespace crevice;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Finding a value by pointer, path or bare name, and telling who set it.
-#include "tests/support/catch.h"
 
 #include "core/base/text.h"
 #include "core/json/merge.h"

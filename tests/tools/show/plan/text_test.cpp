@@ -4,7 +4,6 @@
 // Which geometry is drawn for the occlusion alone.
 #include "tests/support/plan_rig.h"
 
-#include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/show/plan/planning.h"
