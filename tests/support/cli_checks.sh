@@ -21,6 +21,26 @@ expect() {
     fi
 }
 
+# probe COMMAND...: runs it, with its exit code in $got; where that says that there is no context, the test is skipped.
+probe() {
+    got=0
+    "$@" >stdout.txt 2>stderr.txt || got=$?
+    ((got != 3)) || [[ -n ${CREVICE_REQUIRE_GL:-} ]] || { sed 's/^/SKIPPED: /' stderr.txt; exit 77; }
+}
+
+# stop SIGNAL FILE ARGUMENTS...: sends it to the command once FILE has a first result; its exit code is in $got.
+stop() {
+    "$crevice" "${@:3}" >stdout.txt 2>stderr.txt &
+    local running=$!
+    for ((wait = 0; wait < 500; ++wait)); do
+        ! grep -qs '"key"' "$2" || break
+        sleep 0.02
+    done
+    kill "-$1" "$running"
+    got=0
+    wait "$running" 2>/dev/null || got=$?
+}
+
 # check DESCRIPTION COMMAND...: the command succeeds.
 check() {
     local description=$1

@@ -16,12 +16,7 @@ cat >matrix.json <<'JSON'
   ]
 }
 JSON
-got=0
-"$crevice" test matrix.json --filter 'gtao, corner' >stdout.txt 2>stderr.txt || got=$?
-if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
-    sed 's/^/SKIPPED: /' stderr.txt
-    exit 77
-fi
+probe "$crevice" test matrix.json --filter 'gtao, corner'
 check "a missing approved file is a failure" test "$got" -eq 5
 check "it names the way out" grep -q "gtao, corner: approved ao: there is no '.*': run with --approve" stdout.txt
 
@@ -137,15 +132,7 @@ __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null expect 3 'skipped' test matrix.json
 sed 's/"sizes"/"params": {"radius": [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8]}, "sizes"/; s/{"approved.*/{"finite": true},/' \
     matrix.json | sed '/"plan"/d' >long.json
 for jobs in 1 2; do
-    "$crevice" test long.json --out "stopped$jobs" --jobs "$jobs" >stdout.txt 2>stderr.txt &
-    running=$!
-    for ((wait = 0; wait < 400; ++wait)); do
-        ! grep -qs '"key"' "stopped$jobs/cells.jsonl" || break
-        sleep 0.02
-    done
-    kill -INT "$running"
-    got=0
-    wait "$running" 2>/dev/null || got=$?
+    stop INT "stopped$jobs/cells.jsonl" test long.json --out "stopped$jobs" --jobs "$jobs"
     check "an interrupt ends with 130 ($jobs)" test "$got" -eq 130
     expect 0 'cells known already' test long.json --out "stopped$jobs" --jobs "$jobs" --resume
 done

@@ -8,12 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../../../support/cli_checks.sh"
 
 tiny=(--size 64x36 --rays 4 --cache cache)
 small=("${tiny[@]}" --repeats 2)
-got=0
-"$crevice" bench --config learnopengl --scene plane "${small[@]}" --out probe 2>stderr.txt || got=$?
-if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
-    sed 's/^/SKIPPED: /' stderr.txt
-    exit 77
-fi
+probe "$crevice" bench --config learnopengl --scene plane "${small[@]}" --out probe
 check "a bench of one sample succeeds" test "$got" -eq 0
 
 # figures FOLDER: what a second run must find again: keys and errors, without times.
@@ -48,26 +43,14 @@ check "more turns change no error" same_figures frames1 frames3
 runs=(--config learnopengl --config thesis --scene corner --samples 4,8,16 "${small[@]}")
 expect 0 '6 measured' bench "${runs[@]}" --out whole
 
-# stop SIGNAL FOLDER: sends it when the first sample is there.
-stop() {
-    "$crevice" bench "${runs[@]}" --out "$2" 2>stderr.txt &
-    local bench=$!
-    for ((wait = 0; wait < 200; ++wait)); do
-        ! grep -qs '"key"' "$2/results.jsonl" || break
-        sleep 0.05
-    done
-    kill "-$1" "$bench"
-    got=0
-    wait "$bench" 2>/dev/null || got=$?
-}
-stop INT interrupted
+stop INT interrupted/results.jsonl bench "${runs[@]}" --out interrupted
 check "an interrupt ends with 130" test "$got" -eq 130
 check "what is missing is reported" grep -q '^missing: thesis samples=16' stderr.txt
 expect 0 '0 failed, 0 not begun' bench "${runs[@]}" --out interrupted
 check "nothing is measured twice" test "$(wc -l <interrupted/results.jsonl)" -eq 6
 check "an interrupt changes no figure" same_figures whole interrupted
 
-stop KILL killed
+stop KILL killed/results.jsonl bench "${runs[@]}" --out killed
 printf '{"ao_picture":"pictures/torn' >>killed/results.jsonl
 expect 0 '0 failed, 0 not begun' bench "${runs[@]}" --out killed
 check "a kill and a torn line change no figure" same_figures whole killed
