@@ -19,25 +19,6 @@ const char* const kSlant = "eye=0,2,1;at=0,0,0;fov=30";
 const char* const kTile =
     "(mod(floor(gl_FragCoord.x), 4.0) + 4.0 * mod(floor(gl_FragCoord.y), 4.0)) / 15.0";
 
-const char* const kGiven = R"({
-    "format": 1,
-    "params": {"radius": {"default": 0.5}},
-    "targets": {"ao": {"format": ["r8"]}},
-    "shaders": {"ssao": {"vertex": "common/fullscreen.vert", "fragment": "ssao/given.frag"}},
-    "passes": {"ssao": {"type": "fullscreen", "shader": "ssao", "color": ["ao"]}}})";
-
-std::string givenShader(const std::string& ao)
-{
-    return R"(#version 300 es
-precision highp float;
-#include <surface>
-uniform float radius;
-in vec2 uv;
-layout(location = 0) out float ao;
-void main() { vec3 point; ao = viewPosition(uv, point) && radius > 0.0 ? )" +
-           ao + " : 1.0; }\n";
-}
-
 struct Given {
     std::string ao;  ///< GLSL: what an estimator writes at a pixel that sees a surface.
     std::string filter;
@@ -46,12 +27,7 @@ struct Given {
     std::vector<std::string> overrides = {};
     Extent extent = {128, 72};
 
-    Description description() const
-    {
-        return GivenConfig({"geometry/depth_normal", "ssao/given", "filter/" + filter}, "",
-                           {{"ssao/given.frag", givenShader(ao)}, {"ssao/given.json", kGiven}})
-            .description(overrides);
-    }
+    Description description() const { return filterOver(ao, filter, "r8", overrides); }
 };
 
 struct Filters : SceneRig {

@@ -12,14 +12,6 @@ namespace {
 
 constexpr Extent kExtent = {128, 72};
 
-const char* const kGiven = R"({
-    "format": 1,
-    "imports": {"camera": {"type": "camera"}},
-    "params": {"radius": {"default": 0.25}},
-    "targets": {"ao": {"format": ["r16f"]}},
-    "shaders": {"ssao": {"vertex": "common/fullscreen.vert", "fragment": "ssao/given.frag"}},
-    "passes": {"ssao": {"type": "fullscreen", "shader": "ssao", "color": ["ao"]}}})";
-
 // Another number in 0..1 for each pixel and frame of a cycle of eight.
 const char* const kNoise =
     "fract(sin(dot(gl_FragCoord.xy + float(frame_index % 8) * 7.31, "
@@ -29,36 +21,13 @@ const char* const kRaw = "/outputs/ao=ao";
 // Stripes that stand still in the world.
 const char* const kStripes = "(fract(world.x * 2.0) < 0.5 ? 0.2 : 0.8)";
 
-std::string givenShader(const std::string& ao)
-{
-    return R"(#version 300 es
-precision highp float;
-precision highp int;
-#include <surface>
-uniform mat4 world_from_view;
-uniform int frame_index;
-uniform float radius;
-in vec2 uv;
-layout(location = 0) out float ao;
-void main() {
-    vec3 point;
-    bool known = viewPosition(uv, point);
-    vec3 world = (world_from_view * vec4(point, 1.0)).xyz + 1e-9 * float(frame_index) * radius;
-    ao = known ? )" +
-           ao + " : 1.0; }\n";
-}
-
 /// A filter over an occlusion that a line of GLSL gives: of uv, the point in the world and the
 /// frame.
 struct Film : SceneRig {
     explicit Film(const std::string& ao, const std::string& scene_name = "plane",
                   const std::vector<std::string>& overrides = {})
         : SceneRig(scene_name, kExtent),
-          film(renderer(
-              GivenConfig({"geometry/depth_normal", "ssao/given", "filter/temporal"}, "",
-                          {{"ssao/given.frag", givenShader(ao)}, {"ssao/given.json", kGiven}})
-                  .description(overrides),
-              now, {"ao"}))
+          film(renderer(filterOver(ao, "temporal", "r16f", overrides, "0.25"), now, {"ao"}))
     {
     }
 

@@ -120,6 +120,34 @@ Description GivenConfig::description(const std::vector<std::string>& overrides) 
     return descriptionOf({"given"}, overrides, layers_);
 }
 
+Description filterOver(const std::string& ao, const std::string& filter, const char* format,
+                       const std::vector<std::string>& overrides, const char* radius)
+{
+    const std::string module = R"({"format": 1, "imports": {"camera": {"type": "camera"}},
+        "params": {"radius": {"default": )" +
+                               std::string(radius) + R"(}}, "targets": {"ao": {"format": [")" +
+                               format + R"("]}},
+        "shaders": {"ssao": {"vertex": "common/fullscreen.vert", "fragment": "ssao/given.frag"}},
+        "passes": {"ssao": {"type": "fullscreen", "shader": "ssao", "color": ["ao"]}}})";
+    const std::string shader = R"(#version 300 es
+precision highp float;
+precision highp int;
+#include <surface>
+uniform mat4 world_from_view;
+uniform int frame_index;
+uniform float radius;
+in vec2 uv;
+layout(location = 0) out float ao;
+void main() {
+    vec3 point;
+    bool known = viewPosition(uv, point);
+    vec3 world = (world_from_view * vec4(point, 1.0)).xyz + 1e-9 * float(frame_index) * radius;
+    ao = known ? )" + ao + " : 1.0; }\n";
+    return GivenConfig({"geometry/depth_normal", "ssao/given", "filter/" + filter}, "",
+                       {{"ssao/given.frag", shader}, {"ssao/given.json", module}})
+        .description(overrides);
+}
+
 const std::vector<Module>& shippedInputs()
 {
     static const std::vector<Module> inputs = modulesBelow("geometry", [](const Node& document) {

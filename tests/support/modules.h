@@ -43,4 +43,9 @@ private:
     LayeredSources layers_;
 };
 
+/// A filter over the occlusion that a line of GLSL gives where a surface is seen: of uv, the point
+/// in the `world` and the `frame_index`. The target is of that format.
+Description filterOver(const std::string& ao, const std::string& filter, const char* format,
+                       const std::vector<std::string>& overrides = {}, const char* radius = "0.5");
+
 }  // namespace crevice
