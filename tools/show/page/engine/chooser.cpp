@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/show/page/engine/chooser.h"
+#include "tools/show/page/engine/parts.h"
 
 #include "core/base/text.h"
 #include "tools/commands/cli/load_config.h"

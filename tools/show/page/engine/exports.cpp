@@ -4,15 +4,11 @@
 // src/engine/engine.js is its other side, and documents them.
 //
 // What is returned is good until the next call. An answer has "ok" and "diagnostics".
-#include "tools/show/page/engine/answers.h"
-#include "tools/show/page/engine/chooser.h"
-#include "tools/show/page/engine/slot.h"
-#include "tools/show/page/engine/stage.h"
+#include "tools/show/page/engine/parts.h"
 
 #include <crevice/gl_device.h>
 
 #include "tools/render/image/image_metrics.h"
-#include "tools/render/read_output.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/scene_bytes.h"
 #include "tools/show/plan/print.h"

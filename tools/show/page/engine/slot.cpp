@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loading, changing and describing a config that runs.
-#include "tools/show/page/engine/slot.h"
+#include "tools/show/page/engine/parts.h"
 
 #include <crevice/shipped.h>
 
@@ -11,13 +11,9 @@
 #include "tools/commands/cli/load_config.h"
 #include "tools/show/plan/print.h"
 
-#include <nlohmann/json.hpp>
-
 #include <set>
 
 namespace crevice::page {
-
-using Json = nlohmann::json;
 
 namespace {
 

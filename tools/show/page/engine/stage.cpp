@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Scenes and cameras of the page, and pictures in its canvas.
-#include "tools/show/page/engine/stage.h"
+#include "tools/show/page/engine/parts.h"
 
 #include "core/base/text.h"
 #include "tools/commands/cli/load_config.h"
-#include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
 
 #include <crevice/shipped.h>
-
-#include <nlohmann/json.hpp>
 
 #include <glm/gtc/constants.hpp>
 #include <glm/matrix.hpp>
@@ -18,8 +15,6 @@
 #include <cmath>
 
 namespace crevice::page {
-
-using Json = nlohmann::json;
 
 namespace {
 
