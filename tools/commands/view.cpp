@@ -8,7 +8,7 @@
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene/scene_bytes.h"
-#include "tools/show/view/server.h"
+#include "tools/show/view/site.h"
 
 #include "core/base/text.h"
 

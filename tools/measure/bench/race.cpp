@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/measure/bench/race.h"
+#include "tools/measure/bench/quick.h"
 
 #include "core/base/text.h"
 

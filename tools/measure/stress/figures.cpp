@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Figures of pictures.
-#include "tools/measure/stress/figures.h"
+#include "tools/measure/stress/record.h"
 
 #include "core/base/text.h"
 #include "tools/render/image/image_metrics.h"

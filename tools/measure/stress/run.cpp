@@ -9,8 +9,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
 namespace crevice {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressRecord, config, case_name, step, device, version, refusal,

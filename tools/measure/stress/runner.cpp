@@ -5,7 +5,6 @@
 #include "core/base/text.h"
 #include "tools/measure/line_file.h"
 #include "tools/measure/reference/tracer.h"
-#include "tools/measure/stress/figures.h"
 #include "tools/measure/taps.h"
 #include "tools/render/device/poison_device.h"
 #include "tools/render/image/image_metrics.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The one file that includes cpp-httplib, which is large.
-#include "tools/show/view/server.h"
+#include "tools/show/view/site.h"
 
 #include "core/base/text.h"
 

@@ -6,7 +6,7 @@
 #include "core/base/text.h"
 #include "tests/support/need.h"
 #include "tests/tools/measure/bench/fixture.h"
-#include "tools/measure/bench/race.h"
+#include "tools/measure/bench/quick.h"
 #include "tools/measure/taps.h"
 
 #include <crevice/shipped.h>

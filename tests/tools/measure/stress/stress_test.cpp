@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stress cases without GL: their shots, and what a run keeps.
 // Breakdown points as sentences, and what is worse than known: no GL.
-#include "tools/measure/stress/figures.h"
+#include "tools/measure/stress/record.h"
 #include "tools/measure/stress/run.h"
 #include "tools/measure/stress/scenes.h"
 

@@ -6,7 +6,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/show/view/server.h"
+#include "tools/show/view/site.h"
 
 #include <algorithm>
 

@@ -4,7 +4,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cmath>
 #include <limits>
 
 namespace crevice {

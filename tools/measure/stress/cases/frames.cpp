@@ -4,8 +4,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <cmath>
-
 namespace crevice {
 namespace {
 
