@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/render/host_pictures.h"
+#include "tools/render/host_textures.h"
 
 #include <crevice/config.h>
 

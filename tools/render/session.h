@@ -6,7 +6,6 @@
 #include "tools/commands/cli/output.h"
 #include "tools/render/camera_path.h"
 #include "tools/render/device/open_device.h"
-#include "tools/render/host_pictures.h"
 #include "tools/render/host_textures.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"

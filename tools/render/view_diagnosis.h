@@ -3,7 +3,7 @@
 // radius is there.
 #pragma once
 
-#include "tools/render/host_pictures.h"
+#include "tools/render/host_textures.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/builtin_scenes.h"
 #include "tools/render/scene/options.h"
