@@ -112,6 +112,28 @@ void addEdge(State& state, int index, const Source& source, const Reference& at,
         edges[index].push_back({writer, behind->index});
 }
 
+// That a pass has what it draws, and one of a box nothing that changes with the camera.
+void checkSeen(State& state, const Pass& pass, const std::vector<Edge>& reads)
+{
+    const auto has_draws = [](const ImportDesc& each) {
+        return each.type == ImportType::draw_list;
+    };
+    if (pass.desc->type == PassType::draw && !anyOf(state.description.imports, has_draws))
+        report(state, Code::no_draw_list, quoted(pass) + " draws the scene, which nothing imports",
+               *pass.desc, "add \"imports\": { \"scene\": { \"type\": \"draw_list\" } }");
+    const Reference& box = pass.desc->box;
+    for (const Edge& read : reads) {
+        const Pass& writer = state.passes[read.from];
+        if (box.name.empty() || !writer.desc->box.name.empty()) continue;
+        report(state, Code::box_input,
+               quoted(pass) + " is drawn when the box '" + box.name +
+                   "' changes, and reads target '" + nameOf(state, read.target) + "', which " +
+                   quoted(writer) + " draws by the camera",
+               box, "leave `box` off: to read what passes of boxes have drawn none is needed");
+        return;
+    }
+}
+
 // What a no-op gives is waited for as what a sampler reads is, whether the no-op holds or
 // not: so leaving the pass out can only make the graph smaller.
 void addEdges(State& state, int index, Edges& edges)
@@ -124,6 +146,7 @@ void addEdges(State& state, int index, Edges& edges)
         for (const NoOpDesc::Gives& gives : no_op.gives)
             if (!gives.constant)
                 addEdge(state, index, targetNamed(state, gives.input.name), gives.input, edges);
+    checkSeen(state, pass, edges[index]);
 }
 
 void checkOutputs(State& state)

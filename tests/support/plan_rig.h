@@ -60,14 +60,18 @@ inline Description describe(const Sketch& sketch)
                          (color.empty() ? "" : ", \"color\": [" + joined(color) + "]") +
                          (bar == line.npos ? "" : "," + line.substr(bar + 1)) + "}");
     }
+    std::string extra = sketch.extra.empty() ? "" : ",\n" + sketch.extra;
+    if (joined(passes).find("\"draw\"") != std::string::npos &&
+        extra.find("\"draw_list\"") == std::string::npos)
+        extra += R"(, "imports": {"scene": {"type": "draw_list"}})";
     for (const auto& [name, json] : targets) declared.push_back("\"" + name + "\": " + json);
     for (const auto& [name, target] : sketch.outputs)
         exported.push_back("\"" + name +
                            "\": " + (target[0] == '{' ? target : "\"" + target + "\""));
     return describe("{\"format\": 1, \"name\": \"sketch\",\n\"targets\": {" + joined(declared) +
                         "},\n\"shaders\": {" + joined(shaders) + "},\n\"passes\": {" +
-                        joined(passes) + "},\n\"outputs\": {" + joined(exported) + "}" +
-                        (sketch.extra.empty() ? "" : ",\n" + sketch.extra) + "}",
+                        joined(passes) + "},\n\"outputs\": {" + joined(exported) + "}" + extra +
+                        "}",
                     files);
 }
 

@@ -55,7 +55,9 @@ enum class Code : int {
     output_missing = 2209,      ///< An output that the config does not export was asked for.
     attachment_samples = 2210,  ///< Attachments differ in samples.
     cannot_filter = 2211,       ///< A linear read, or a blend, of a format that no device filters.
-    dead_pass = 2212,  ///< A pass that no output needs, whichever is asked for (a warning).
+    dead_pass = 2212,     ///< A pass that no output needs, whichever is asked for (a warning).
+    box_input = 2213,     ///< A pass of a box reads what the camera sees.
+    no_draw_list = 2214,  ///< A pass draws the scene, which nothing imports.
 
     // keys and types
     unknown_key = 3001,  ///< A key that the format does not have.

@@ -210,6 +210,7 @@ TEST_CASE("What is drawn of a box outlives the frame, and what only its passes r
     const PlanTarget& voxels = *findNamed(plan.targets, "voxels");
     CHECK(voxels.last_pass == static_cast<int>(plan.passes.size()));
     CHECK(findNamed(plan.targets, "slices")->last_pass == 1);
-    CHECK(has(toText(plan), "cached  until what lies in the box room changes or it moves"));
+    CHECK(has(toText(plan), "cached  until what lies in the box room (edge 16, "
+                            "or that of all draws if less) changes or it moves"));
     CHECK(has(toText(plan), "drawn 4 times for 4 layers"));
 }

@@ -60,6 +60,8 @@ textures
   3: r8 64x32, 2.0 KiB: graded
 outputs
   out: target graded
+imports
+  scene: draw_list
 left out
   passes (cached): per frame, those whose inputs have not changed
 )");

@@ -131,6 +131,13 @@ std::string writeText(const Plan& plan, const PlanAttachment& attachment, bool d
     return text + ", " + load + ", " + nameOf(attachment.store) + "\n";
 }
 
+std::string boxText(const Plan& plan, const PlanBox& box)
+{
+    double edge = box.factor;
+    for (const int param : box.params) edge *= double{plan.params[param].initial[0]};
+    return box.name + " (edge " + significant(edge, 4) + ", or that of all draws if less)";
+}
+
 std::string passText(const Plan& plan, const PlanPass& pass)
 {
     const MovedBytes bytes = movedBytes(plan, pass);
@@ -140,7 +147,7 @@ std::string passText(const Plan& plan, const PlanPass& pass)
                        bytesText(bytes.read) + " read, " + bytesText(bytes.written) + " written\n";
     for (const PlanInput& input : pass.inputs) text += readText(plan, input);
     if (pass.box >= 0)
-        text += "    cached  until what lies in the box " + plan.boxes[pass.box].name +
+        text += "    cached  until what lies in the box " + boxText(plan, plan.boxes[pass.box]) +
                 " changes or it moves; then drawn in turn, one such pass a frame\n";
     if (pass.scissor) text += "    drawn   within " + boundsText(plan, pass) + "\n";
     for (const PlanAttachment& color : pass.color)
