@@ -16,7 +16,8 @@ Description boxed(const std::string& edge = "[\"reach\", 4]", int cells = 4)
       "imports": {"camera": {"type": "camera"}, "scene": {"type": "draw_list"}},
       "params": {"reach": {"default": 4, "max": 100},
                  "cells": {"type": "int", "default": )" +
-                               std::to_string(cells) + R"(, "min": 2, "max": 4096, "bind": "define"}},
+                               std::to_string(cells) +
+                               R"(, "min": 2, "max": 4096, "bind": "define"}},
       "boxes": {"room": {"edge": )" +
                                edge + R"(}},
       "targets": {
@@ -210,7 +211,8 @@ TEST_CASE("What is drawn of a box outlives the frame, and what only its passes r
     const PlanTarget& voxels = *findNamed(plan.targets, "voxels");
     CHECK(voxels.last_pass == static_cast<int>(plan.passes.size()));
     CHECK(findNamed(plan.targets, "slices")->last_pass == 1);
-    CHECK(has(toText(plan), "cached  until what lies in the box room (edge 16, "
-                            "or that of all draws if less) changes or it moves"));
+    CHECK(has(toText(plan),
+              "cached  until what lies in the box room (edge 16, "
+              "or that of all draws if less) changes or it moves"));
     CHECK(has(toText(plan), "drawn 4 times for 4 layers"));
 }
