@@ -311,9 +311,13 @@ void addOutputs(const State& state, Plan& plan)
 void spreadOverFrames(Plan& plan)
 {
     constexpr int kMostDraws = 20;  // of the scene in a frame
+    const auto outlives_frame = [&plan](const PlanAttachment& each) {
+        return each.target >= 0 &&
+               plan.targets[each.target].last_pass == static_cast<int>(plan.passes.size());
+    };
     for (PlanPass& pass : plan.passes) {
-        if (pass.box < 0 || pass.type != PassType::draw || pass.layers == 0) continue;
-        if (plan.targets[pass.color.front().target].last_pass == int(plan.passes.size())) continue;
+        const bool drawn_again = pass.box >= 0 && pass.type == PassType::draw && !plan.reruns;
+        if (!drawn_again || pass.layers == 0 || anyOf(pass.color, outlives_frame)) continue;
         pass.frames = (pass.layers / pass.layers_at_once + kMostDraws - 1) / kMostDraws;
     }
 }

@@ -16,7 +16,6 @@ PassCache::PassCache(const Plan& plan)
         PassNode& node = passes_.emplace_back();
         node.over = pass.over;
         node.boxed = pass.box >= 0 && !plan.reruns;
-        node.frames = pass.frames;
         for (const PlanInput& input : pass.inputs) {
             if (input.kind == InputKind::target) node.reads.push_back(input.index);
             node.remembers = node.remembers || input.kind == InputKind::history;
@@ -52,7 +51,8 @@ void PassCache::chooseBoxed(const std::vector<char>& changed)
         const bool begun = !pass.share.isLast();
         if (!pass.pending && !begun) continue;
         // What was never drawn is asked for whole.
-        pass.share = Share{begun ? pass.share.index + 1 : 0, pass.drawn ? pass.frames : 1};
+        pass.share =
+            Share{begun ? pass.share.index + 1 : 0, pass.drawn ? plan_.passes[at].frames : 1};
         pass.pending = pass.pending && begun;
         runs_[at] = 1;
         turn_ = pass.share.isLast() ? at + 1 : at;

@@ -43,7 +43,6 @@ private:
         bool remembers = false;   // reads or writes what changes with every frame
         bool boxed = false;       // of a box
         bool pending = false;     // ... and to be drawn
-        int frames = 1;           // over which it is drawn again
         Share share = {};         // drawn last
         bool drawn = false;       // all of it, once
     };

@@ -184,6 +184,24 @@ TEST_CASE("What draws the scene more than 20 times takes as many frames to do it
     CHECK(has(toText(rig.renderer->plan()), "drawn 24 times for 48 layers, over 2 frames"));
 }
 
+TEST_CASE("What the view reads of a box is drawn again in one frame, however often that takes")
+{
+    for (const bool read : {true, false}) {
+        Description description = boxed("[\"reach\", 4]", 96);
+        TargetDesc other = *findNamed(description.targets, "slices");
+        other.name = "other";
+        description.targets.push_back(other);
+        std::vector<Reference>& color = description.passes[0].color;
+        color[read ? 1 : 0].name = "other";
+        InputDesc input;
+        input.name = "voxels";
+        input.from.name = "other";
+        if (read) description.passes[2].inputs.push_back(input);
+        const Plan plan = planOf(description, {}, sized(64, 32));
+        CHECK(findNamed(plan.passes, "slices")->frames == (read ? 1 : 3));
+    }
+}
+
 TEST_CASE("Two views share what a box shows")
 {
     Boxes rig;
