@@ -26,7 +26,7 @@ uniform highp sampler2D low_depth;
 uniform vec2 viewport_size;
 
 in vec2 uv;
-layout(location = 0) out float ao_filtered;
+layout(location = 0) out vec4 ao_filtered;  // four: beside a depth, Mesa 22.3 for Mali crashes on fewer
 
 // Share of its weight on the screen that a neighbour off the plane keeps, the less the farther: without any, thin
 // objects would have no value at all, and with one that does not fall, round ones take on what lies behind them.
@@ -53,7 +53,7 @@ void main()
     gl_FragDepth = 0.0;
 #endif
     if (z <= kBackgroundZ) {
-        ao_filtered = 1.0;
+        ao_filtered = vec4(1.0);
         return;
     }
     ivec2 size = textureSize(ao_low, 0);
@@ -90,5 +90,5 @@ void main()
 #ifdef MARKS_MISSING
     gl_FragDepth = dot((1.0 - abs(across)) * (1.0 - abs(up)), max(1.0 - cuts, 0.0)) < kMissing ? 1.0 : 0.0;
 #endif
-    ao_filtered = dot(weights, vec4(a.x, b.x, c.x, d.x)) / dot(weights, vec4(1.0));
+    ao_filtered = vec4(dot(weights, vec4(a.x, b.x, c.x, d.x)) / dot(weights, vec4(1.0)));
 }

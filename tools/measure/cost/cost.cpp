@@ -16,59 +16,6 @@
 namespace crevice {
 namespace {
 
-bool readsTarget(const PlanPass& pass, int target)
-{
-    return anyOf(pass.inputs, [&](const PlanInput& input) {
-        const bool drawn = input.kind == InputKind::target || input.kind == InputKind::history;
-        return drawn && input.index == target;
-    });
-}
-
-/// What the pass writes and something reads.
-std::vector<int> targetsOf(const PlanPass& pass)
-{
-    std::vector<int> targets;
-    for (const PlanAttachment& color : pass.color)
-        if (color.target >= 0) targets.push_back(color.target);
-    if (pass.has_depth && !isMasked(pass) && pass.depth.target >= 0)
-        targets.push_back(pass.depth.target);
-    return targets;
-}
-
-/// Marks the passes that draw on the target, and all that they need.
-void markWriters(const Plan& plan, int target, std::vector<bool>& needed)
-{
-    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
-        const std::vector<int> drawn = targetsOf(plan.passes[i]);
-        if (needed[i] || std::find(drawn.begin(), drawn.end(), target) == drawn.end()) continue;
-        needed[i] = true;
-        for (std::size_t other = 0; other < plan.targets.size(); ++other)
-            if (readsTarget(plan.passes[i], static_cast<int>(other)))
-                markWriters(plan, static_cast<int>(other), needed);
-    }
-}
-
-std::vector<bool> neededForAo(const Plan& plan)
-{
-    std::vector<bool> needed(plan.passes.size(), false);
-    const auto isAo = [](const PlanOutput& output) { return output.name == "ao"; };
-    const bool has_ao = anyOf(plan.outputs, isAo);
-    for (const PlanOutput& output : plan.outputs)
-        if (output.target >= 0 && (!has_ao || isAo(output)))
-            markWriters(plan, output.target, needed);
-    return needed;
-}
-
-/// Whether no pass but those of `needed` reads the target, and no output shows it.
-bool onlyReadBy(const Plan& plan, const std::vector<bool>& needed, int target)
-{
-    for (const PlanOutput& output : plan.outputs)
-        if (output.target == target) return false;
-    for (std::size_t i = 0; i < plan.passes.size(); ++i)
-        if (!needed[i] && readsTarget(plan.passes[i], target)) return false;
-    return true;
-}
-
 using Json = CostReport;
 
 /// As many digits as tell two shaders apart, so that files stay short.
@@ -109,6 +56,7 @@ Json figuresJson(const CostGpu& gpu, const CompilerFigures& figures)
         return json;
     }
     json["instructions"] = figures.instructions;
+    json["run"] = rounded(figures.run);
     json["spills"] = figures.spills;
     json["fills"] = figures.fills;
     json["threads"] = figures.threads;
@@ -124,15 +72,16 @@ Json figuresJson(const CostGpu& gpu, const CompilerFigures& figures)
     return json;
 }
 
-/// A pass but for what compilers say. `fetches` are those of the frame; null where not counted.
-Json passJson(const Plan& plan, const PlanPass& pass, PassRole role, const double* fetches)
+/// A pass but for what compilers say. `count` is that of the frame; null where not counted.
+Json passJson(const Plan& plan, const PlanPass& pass, PassRole role, const PassCount* count)
 {
     const MovedBytes bytes = movedBytes(plan, pass);
     Json json = {{"pass", pass.name},
                  {"for", nameOf(role)},
                  {"size", {pass.extent.width, pass.extent.height}},
-                 {"pixels", rounded(pixelsOf(pass.extent) / pixelsOf(plan.extent))}};
-    if (fetches) json["fetches"] = rounded(*fetches / pixelsOf(plan.extent));
+                 {"pixels", rounded((count ? count->pixels : pixelsOf(pass.extent)) /
+                                    pixelsOf(plan.extent))}};
+    if (count) json["fetches"] = rounded(count->fetches / pixelsOf(plan.extent));
     json["tile_bytes"] = std::llround(bytes.written + bytes.loaded);
     json["read_bytes"] = std::llround(bytes.read - bytes.loaded);
     json["loaded_bytes"] = std::llround(bytes.loaded);
@@ -140,11 +89,10 @@ Json passJson(const Plan& plan, const PlanPass& pass, PassRole role, const doubl
     return json;
 }
 
-/// Fetches are left out, and it says why, where no frame can be drawn and counted.
-Json passesJson(const Description& description, const SceneView& view, const Plan& plan,
+/// Fetches are left out, and it says why, where no frame could be drawn and counted.
+Json passesJson(const Result<PassCounts>& counted, const Plan& plan,
                 const std::vector<PassRole>& roles, Json& config)
 {
-    const Result<std::map<std::string, double>> counted = countFetches(description, view);
     if (!counted) config["uncounted"] = counted.diagnostics().front().message;
     Json passes = Json::array();
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
@@ -157,11 +105,60 @@ Json passesJson(const Description& description, const SceneView& view, const Pla
     return passes;
 }
 
-/// What one GPU's compiler makes of several passes: the `index`th of each.
-Json gpuSum(const std::vector<const Json*>& passes, std::size_t index)
+/// A plan's programs, and each without loops: all bodies once, and each of them twice.
+struct Variants {
+    std::vector<PlanProgram> programs;
+    std::vector<std::size_t> first;            ///< By the plan's program, in `programs`.
+    std::vector<std::vector<GlslLoop>> loops;  ///< By the plan's program.
+
+    explicit Variants(const std::vector<PlanProgram>& of)
+    {
+        for (const PlanProgram& program : of) {
+            first.push_back(programs.size());
+            loops.push_back(loopsOf(program.fragment.text));
+            programs.push_back(program);
+            const int last = loops.back().empty() ? -2 : static_cast<int>(loops.back().size()) - 1;
+            for (int twice = -1; twice <= last; ++twice) {
+                programs.push_back(program);
+                programs.back().fragment.text =
+                    withoutLoops(program.fragment.text, loops.back(), twice);
+            }
+        }
+    }
+};
+
+/// A program's figures with loops as often as they run in a pass. `compiled` has all variants.
+CompilerFigures figuresOf(const std::vector<CompilerFigures>& compiled, const Variants& variants,
+                          std::size_t program, const PassCount* count)
+{
+    const std::vector<GlslLoop>& loops = variants.loops[program];
+    const CompilerFigures* figures = &compiled[variants.first[program]];
+    CompilerFigures whole = *figures;
+    if (loops.empty() || !count || count->runs.size() != loops.size()) return whole;
+    for (std::size_t i = 1; i < loops.size() + 2; ++i)
+        if (!figures[i].refusal.empty()) return whole;
+    const auto asItRuns = [&](auto&& cost) {
+        std::vector<double> twice;
+        for (std::size_t i = 0; i < loops.size(); ++i) twice.push_back(cost(figures[i + 2]));
+        return costAsItRuns(loops, cost(figures[1]), twice, count->runs);
+    };
+    whole.run = asItRuns([](const CompilerFigures& each) { return each.run; });
+    whole.cycles = whole.unit_cycles.empty() ? -1 : 0;
+    for (std::size_t unit = 0; unit < whole.unit_cycles.size(); ++unit) {
+        whole.unit_cycles[unit] =
+            asItRuns([unit](const CompilerFigures& each) { return each.unit_cycles[unit]; });
+        whole.cycles = std::max(whole.cycles, whole.unit_cycles[unit]);
+    }
+    return whole;
+}
+
+/// What one GPU's compiler makes of several passes of a picture of so many pixels: the `index`th of
+/// each. Its time is that of the busiest unit of all cores, were nothing ever waited for.
+Json gpuSum(const std::vector<const Json*>& passes, std::size_t index, double pixels)
 {
     Json sum = {{"gpu", passes.front()->at("gpus").at(index).at("gpu")},
                 {"instructions", 0},
+                {"run", 0.0},
                 {"largest_spills", 0},
                 {"its_fills", 0},
                 {"lowest_threads", 0},
@@ -187,10 +184,17 @@ Json gpuSum(const std::vector<const Json*>& passes, std::size_t index)
         }
         for (const char* key : {"instructions", "code_bytes", "arithmetic", "arithmetic_16_bit"})
             if (gpu.contains(key)) raise(key, gpu.at(key).get<int>());
-        if (gpu.contains("cycles"))
-            raise("cycles", gpu.at("cycles").get<double>() * pass->at("pixels").get<double>());
+        for (const char* key : {"run", "cycles"})
+            if (gpu.contains(key))
+                raise(key, gpu.at(key).get<double>() * pass->at("pixels").get<double>());
     }
-    if (sum.contains("cycles")) sum["cycles"] = rounded(sum["cycles"]);
+    for (const char* key : {"run", "cycles"})
+        if (sum.contains(key)) sum[key] = rounded(sum[key]);
+    const CostGpu& gpu = *findCostGpu(sum["gpu"].get<std::string>());
+    const double cycles =
+        sum.contains("cycles") ? double(sum["cycles"]) : double(sum["run"]) / gpu.lanes;
+    sum["megacycles"] = rounded(cycles * pixels * 1e-6);
+    sum["milliseconds"] = rounded(cycles * pixels * 1e-3 / (gpu.cores * gpu.megahertz));
     return sum;
 }
 
@@ -215,7 +219,7 @@ Json sumJson(const Json& config, bool with_geometry)
     sum["gpus"] = Json::array();
     if (passes.empty()) return sum;
     for (std::size_t i = 0; i < passes.front()->at("gpus").size(); ++i)
-        sum["gpus"].push_back(gpuSum(passes, i));
+        sum["gpus"].push_back(gpuSum(passes, i, config.at("frame_pixels")));
     return sum;
 }
 
@@ -232,15 +236,23 @@ Result<Json> costOf(const CostOptions& options, const std::string& name, const S
     const Result<Plan> plan = planFor(*description, view);
     if (!plan) return plan.diagnostics();
     const std::vector<PassRole> roles = passRoles(*plan);
-    Json config = {{"config", name}};
-    Json passes = passesJson(*description, view, *plan, roles, config);
+    Json config = {{"config", name}, {"frame_pixels", std::llround(pixelsOf(view.extent))}};
+    const Result<PassCounts> counted = countFrame(*description, view);
+    Json passes = passesJson(counted, *plan, roles, config);
+    const Variants variants(plan->programs);
     for (const CostGpu* gpu : gpus) {
-        const Result<CompiledPrograms> compiled = compilePrograms(compilers, *gpu, plan->programs);
+        const Result<CompiledPrograms> compiled =
+            compilePrograms(compilers, *gpu, variants.programs);
         if (!compiled) return compiled.diagnostics();
         report["compilers"] = compiled->version;
-        for (std::size_t i = 0; i < plan->passes.size(); ++i)
-            passes[i]["gpus"].push_back(
-                figuresJson(*gpu, compiled->figures[plan->passes[i].program]));
+        for (std::size_t i = 0; i < plan->passes.size(); ++i) {
+            const PlanPass& pass = plan->passes[i];
+            const bool known = counted && counted->count(pass.name) > 0;
+            const CompilerFigures figures =
+                figuresOf(compiled->figures, variants, static_cast<std::size_t>(pass.program),
+                          known ? &counted->at(pass.name) : nullptr);
+            passes[i]["gpus"].push_back(figuresJson(*gpu, figures));
+        }
     }
     config["geometry_bytes_for_ao"] = std::llround(bytesForAo(*plan, roles));
     config["ao"] = nullptr;  // both sums have their places before the passes
@@ -251,52 +263,6 @@ Result<Json> costOf(const CostOptions& options, const std::string& name, const S
 }
 
 }  // namespace
-
-const char* nameOf(PassRole role)
-{
-    const char* const names[] = {"AO", "geometry for AO", "geometry", "picture"};
-    return names[static_cast<int>(role)];
-}
-
-std::vector<PassRole> passRoles(const Plan& plan)
-{
-    const std::vector<bool> needed = neededForAo(plan);
-    std::vector<PassRole> roles;
-    bool first = true;  // of those that draw depth: every renderer has that one
-    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
-        const PlanPass& pass = plan.passes[i];
-        const std::vector<int> targets = targetsOf(pass);
-        if (!needed[i]) {
-            roles.push_back(PassRole::picture);
-        } else if (pass.type == PassType::fullscreen) {
-            roles.push_back(PassRole::ao);
-        } else if (first && pass.has_depth) {
-            roles.push_back(PassRole::geometry);
-            first = false;
-        } else {
-            const bool alone =
-                allOf(targets, [&](int target) { return onlyReadBy(plan, needed, target); });
-            roles.push_back(alone ? PassRole::geometry_for_ao : PassRole::geometry);
-        }
-    }
-    return roles;
-}
-
-double bytesForAo(const Plan& plan, const std::vector<PassRole>& roles)
-{
-    const std::vector<bool> needed = neededForAo(plan);
-    double bytes = 0;
-    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
-        const PlanPass& pass = plan.passes[i];
-        if (roles[i] != PassRole::geometry) continue;
-        for (const PlanAttachment& color : pass.color)
-            if (color.target >= 0 && color.store == StoreOp::store &&
-                onlyReadBy(plan, needed, color.target))
-                bytes += double(pass.extent.width) * pass.extent.height * plan.views *
-                         formatInfo(textureOf(plan, color.target).format).bytes;
-    }
-    return bytes;
-}
 
 void addSums(CostReport& config)
 {

@@ -14,16 +14,18 @@
 namespace crevice {
 namespace {
 
-/// Sums what countedFragment's output says over all pixels.
-double sumOf(const Image& image)
+/// Sums one of the two counts of countedFragment's output over all pixels.
+double sumOf(const Image& image, std::size_t which)
 {
     double sum = 0;
-    for (std::size_t i = 0; i + 1 < image.pixels.size(); i += image.channels)
+    for (std::size_t i = 2 * which; i + 1 < image.pixels.size(); i += image.channels)
         sum += std::round(image.pixels[i] * 255.0) + 256 * std::round(image.pixels[i + 1] * 255.0);
     return sum;
 }
 
 constexpr const char* kCount = "crevice_fetches";
+constexpr const char* kLoops = "crevice_loops";
+constexpr const char* kWhich = "crevice_which";
 constexpr const char* kMain = "crevice_uncounted_main";
 
 bool fetches(std::string_view word)
@@ -59,8 +61,8 @@ void dropOut(const GlslTokens& tokens, std::size_t out, const char* text,
              std::vector<Insertion>& insertions)
 {
     std::size_t first = out;
-    if (out > 0 && tokens[out - 1].is(")"))
-        while (first > 0 && !tokens[first].is("layout")) --first;
+    for (std::size_t i = out; i > 0 && !tokens[i - 1].is(";") && !tokens[i - 1].is("define"); --i)
+        if (tokens[i - 1].is("layout")) first = i - 1;
     const auto begin = static_cast<std::size_t>(tokens[first].text.data() - text);
     const auto end = static_cast<std::size_t>(tokens[out].text.data() + 3 - text);
     insertions.push_back({begin, end - begin, ""});
@@ -102,6 +104,25 @@ std::vector<Insertion> insertionsIn(const std::string& text, const GlslTokens& t
     return insertions;
 }
 
+/// Counts how often each loop is entered, and its body run.
+void countLoops(const std::vector<GlslLoop>& loops, std::vector<Insertion>& insertions)
+{
+    std::vector<Insertion> before, after;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const std::string count = std::string(kLoops) + "[" + std::to_string(i) + "]";
+        const TextPart& condition = loops[i].condition;
+        before.push_back({loops[i].whole.begin, 0, "{ ++" + count + ".x; "});
+        const bool always = condition.begin == condition.end;
+        before.push_back({condition.begin, 0, always ? "(true" : "("});
+        after.push_back({condition.end, 0, ") && ++" + count + ".y > 0"});
+        after.push_back({loops[i].whole.end, 0, " }"});
+    }
+    insertions.insert(insertions.begin(), before.begin(), before.end());
+    insertions.insert(insertions.end(), after.begin(), after.end());
+    std::stable_sort(insertions.begin(), insertions.end(),
+                     [](const Insertion& a, const Insertion& b) { return a.at < b.at; });
+}
+
 }  // namespace
 
 CountingDevice::~CountingDevice()
@@ -119,13 +140,17 @@ void CountingDevice::clearCounts()
     counts_.clear();
 }
 
-Result<std::map<std::string, double>> CountingDevice::fetches()
+Result<PassCounts> CountingDevice::counts()
 {
-    std::map<std::string, double> all;
+    PassCounts all;
     for (const Count& count : counts_) {
         const Result<Image> image = device_.readTexture(count.texture);
         if (!image) return image.diagnostics();
-        all[count.pass] = sumOf(*image);
+        PassCount& pass = all[count.pass];
+        if (count.which == 0)
+            pass = {sumOf(*image, 0), sumOf(*image, 1), {}};
+        else  // a loop that no pixel enters runs no body
+            pass.runs.push_back(sumOf(*image, 1) / std::max(sumOf(*image, 0), 1.0));
     }
     return all;
 }
@@ -148,7 +173,8 @@ Result<ProgramId> CountingDevice::createProgram(const ProgramDesc& desc)
 Status CountingDevice::addTwin(const ProgramDesc& desc, ProgramId program)
 {
     ProgramDesc counting = desc;
-    const std::optional<std::string> text = countedFragment(desc.fragment.text);
+    const std::vector<GlslLoop> loops = loopsOf(desc.fragment.text);
+    const std::optional<std::string> text = countedFragment(desc.fragment.text, loops);
     if (!text) return {};
     counting.label += " fetches";
     counting.fragment.text = *text;
@@ -156,6 +182,9 @@ Status CountingDevice::addTwin(const ProgramDesc& desc, ProgramId program)
     if (!made) return made.diagnostics();
     Twin& twin = twins_[program.value];
     twin.program = *made;
+    twin.loops = static_cast<int>(loops.size());
+    for (const UniformInfo& other : device_.uniforms(*made))
+        if (other.name == kWhich) twin.which = other.location;
     for (const UniformInfo& mine : device_.uniforms(program))
         for (const UniformInfo& other : device_.uniforms(*made))
             if (mine.name == other.name) twin.locations[mine.location] = other.location;
@@ -220,11 +249,12 @@ void CountingDevice::endPass()
 {
     device_.endPass();
     const Twin& twin = twins_[program_.value];
-    if (counting_ && fullscreen_ && twin.program) drawTwin(twin);
+    if (!counting_ || !fullscreen_ || !twin.program) return;
+    for (int which = 0; which <= twin.loops; ++which) drawTwin(twin, which);
 }
 
 /// What cannot be drawn into, as where the mask has several samples, is not counted.
-void CountingDevice::drawTwin(const Twin& twin)
+void CountingDevice::drawTwin(const Twin& twin, int which)
 {
     const bool masked = pass_.has_depth && pass_.depth_load == LoadOp::load;
     const Result<TextureId> texture =
@@ -233,7 +263,7 @@ void CountingDevice::drawTwin(const Twin& twin)
     const Result<FramebufferId> framebuffer = device_.createFramebuffer(
         {pass_.label, {*texture}, masked ? depths_[pass_.framebuffer.value] : TextureId()});
     if (!framebuffer) return device_.destroy(*texture);
-    counts_.push_back({pass_.label, *texture, *framebuffer});
+    counts_.push_back({pass_.label, which, *texture, *framebuffer});
     PassInfo pass = pass_;
     pass.framebuffer = *framebuffer;
     pass.color_count = 1;
@@ -253,11 +283,12 @@ void CountingDevice::drawTwin(const Twin& twin)
     for (const auto& [mine, uniform] : twin.uniforms)
         if (const int location = locationOf(mine); location >= 0)
             device_.setUniform(location, uniform.type, uniform.count, uniform.words.data());
+    device_.setUniform(twin.which, GlslType::int_, 1, &which);
     device_.drawFullscreen();
     device_.endPass();
 }
 
-Result<std::map<std::string, double>> countFetches(Description description, const SceneView& view)
+Result<PassCounts> countFrame(Description description, const SceneView& view)
 {
     const Result<OpenDevice> open = openDevice("");
     if (!open) return open.diagnostics();
@@ -278,10 +309,11 @@ Result<std::map<std::string, double>> countFetches(Description description, cons
         if (warm_up == 0) device.startCounting();
         if (const Status status = (*renderer)->render(*frame); !status) return status.diagnostics();
     }
-    return device.fetches();
+    return device.counts();
 }
 
-std::optional<std::string> countedFragment(const std::string& text)
+std::optional<std::string> countedFragment(const std::string& text,
+                                           const std::vector<GlslLoop>& loops)
 {
     const std::string blanked = blankComments(text).text;
     GlslTokens tokens;
@@ -299,13 +331,20 @@ std::optional<std::string> countedFragment(const std::string& text)
         if (directive && (found.size() < 2 || !found[1].is("define"))) continue;
         tokens.insert(tokens.end(), found.begin(), found.end());
     }
-    const std::vector<Insertion> insertions = insertionsIn(blanked, tokens);
+    std::vector<Insertion> insertions = insertionsIn(blanked, tokens);
+    countLoops(loops, insertions);
     std::string counted = applied(blanked, insertions);
     if (!has(counted, kMain)) return std::nullopt;
-    counted.insert(body, std::string("highp int ") + kCount + " = 0;\n");
-    counted += std::string("\nout highp vec4 crevice_count;\nvoid main()\n{\n    ") + kMain +
-               "();\n    crevice_count = vec4(" + kCount + " & 255, " + kCount +
-               " >> 8, 0, 255) / 255.0;\n}\n";
+    const std::string size = std::to_string(loops.size() + 1);
+    counted.insert(body, std::string("highp int ") + kCount + " = 0;\nhighp ivec2 " + kLoops + "[" +
+                             size + "];\nuniform highp int " + kWhich + ";\n");
+    counted +=
+        std::string("\nout highp vec4 crevice_count;\nvoid main()\n{\n    for (int i = 0; i < ") +
+        size + "; ++i) " + kLoops + "[i] = ivec2(0);\n    " + kMain +
+        "();\n    highp ivec2 count = " + kWhich + " == 0 ? ivec2(" + kCount + ", 1) : " + kLoops +
+        "[" + kWhich +
+        " - 1];\n    crevice_count = vec4(count.x & 255, "
+        "count.x >> 8, count.y & 255, count.y >> 8) / 255.0;\n}\n";
     return counted;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A device that counts the texture fetches of fullscreen passes, pixel by pixel.
+// A device that counts the texture fetches and the runs of loops of fullscreen passes, pixel by
+// pixel.
 //
 // Each pass is drawn once as it is and then again, with what it was drawn with, by a shader that
-// takes the same way but writes how often it fetched (countedFragment). So passes read what they
+// takes the same way but writes how often it did so (countedFragment). So passes read what they
 // always do, loops run as often as they really do, and any OpenGL ES 3.0 device will do.
 #pragma once
 
+#include "tools/measure/cost/loops.h"
 #include "tools/render/device/forwarding_device.h"
 #include "tools/render/scene/options.h"
 
@@ -14,12 +16,22 @@
 namespace crevice {
 
 /// The fragment shader's text with outputs as plain variables, each call of a built-in function
-/// that fetches from a texture counted, and an output of its own of the format rgba8: in red and
-/// green the count's low and high byte, as unsigned normalized numbers. Nothing where the text has
-/// no `main`.
+/// that fetches from a texture counted, and an output of its own of the format rgba8: two counts,
+/// each as its low and high byte, as unsigned normalized numbers. Where the uniform crevice_which
+/// is 0 they are fetches and 1; where it is n, they say how often the `n - 1`th of `loops`, which
+/// are the text's, was entered and its body run. Nothing where the text has no `main`.
 ///
 /// A `discard` discards the count too. textureGather counts as one.
-std::optional<std::string> countedFragment(const std::string& text);
+std::optional<std::string> countedFragment(const std::string& text,
+                                           const std::vector<GlslLoop>& loops);
+
+/// What a fullscreen pass did in a frame.
+struct PassCount {
+    double fetches = 0;        ///< Summed over its pixels.
+    double pixels = 0;         ///< Those drawn: what its mask, scissor and `discard` leave.
+    std::vector<double> runs;  ///< For each loop, how often its body ran when it was entered.
+};
+using PassCounts = std::map<std::string, PassCount>;  ///< By the pass's label.
 
 class CountingDevice : public ForwardingDevice {
 public:
@@ -29,9 +41,8 @@ public:
     /// Counts in all frames from now on. Each counts for itself.
     void startCounting() { counting_ = true; }
 
-    /// Fetches of each fullscreen pass of the last frame, summed over its pixels, by the pass's
-    /// label. Errors: those of readTexture.
-    Result<std::map<std::string, double>> fetches();
+    /// Those of the last frame's fullscreen passes. Errors: those of readTexture.
+    Result<PassCounts> counts();
 
     Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override;
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
@@ -59,18 +70,21 @@ private:
     /// The counting twin of a program, and what the program was told so far.
     struct Twin {
         ProgramId program;
+        int loops = 0;
+        int which = -1;                ///< The location of crevice_which.
         std::map<int, int> locations;  ///< The twin's by the program's.
         std::map<int, Uniform> uniforms;
     };
     /// Where a pass of this frame was counted.
     struct Count {
         std::string pass;
+        int which = 0;
         TextureId texture;
         FramebufferId framebuffer;
     };
 
     Status addTwin(const ProgramDesc& desc, ProgramId program);
-    void drawTwin(const Twin& twin);
+    void drawTwin(const Twin& twin, int which);
     void clearCounts();
 
     std::map<std::uint32_t, TextureId> depths_;  ///< By framebuffer.
@@ -85,10 +99,9 @@ private:
     bool fullscreen_ = false;
 };
 
-/// Fetches a frame of a scene by fullscreen pass, summed over its pixels, loops counted as often as
-/// they run, on the first context without a window that works. Of a config that remembers frames it
-/// is one that has them. Errors: those of openDevice, CountingDevice and Renderer; a counted shader
-/// may not compile.
-Result<std::map<std::string, double>> countFetches(Description description, const SceneView& view);
+/// Those of a frame of a scene, on the first context without a window that works. Of a config that
+/// remembers frames it is one that has them. Errors: those of openDevice, CountingDevice and
+/// Renderer; a counted shader may not compile.
+Result<PassCounts> countFrame(Description description, const SceneView& view);
 
 }  // namespace crevice

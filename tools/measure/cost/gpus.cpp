@@ -83,6 +83,7 @@ CompilerFigures figuresOf(const CostGpu& gpu, const std::map<std::string, double
     };
     CompilerFigures figures;
     figures.instructions = whole("inst", 0);
+    figures.run = figures.instructions;
     figures.spills = whole(gpu.spills, 0);
     figures.fills = whole(gpu.fills, 0);
     figures.threads = whole(gpu.threads, 0);
@@ -135,19 +136,22 @@ std::string lastLine(const std::string& output)
 const std::vector<CostGpu>& costGpus()
 {
     const char* const kMali = "libpanfrost_noop_drm_shim.so";
+    // The phones: Helio G85, Dimensity 700, RK3399 (a board, as is the Raspberry Pi 4), Snapdragon
+    // 845.
     static const std::vector<CostGpu> kGpus = {
         {"Mali-G52", kMali, words("PAN_MESA_DEBUG=precompile PAN_GPU_ID=7212"), "threads", 2,
-         "spills", "fills", "", "quadwords", 16, words("arith texture vary ldst"), false},
+         "spills", "fills", "", "quadwords", 16, words("arith texture vary ldst"), false, 2, 1000,
+         0},
         {"Mali-G57", kMali, words("PAN_MESA_DEBUG=precompile PAN_GPU_ID=9093"), "threads", 2,
-         "spills", "fills", "", "quadwords", 16, words("fma cvt sfu v t ls"), false},
+         "spills", "fills", "", "quadwords", 16, words("fma cvt sfu v t ls"), false, 2, 950, 0},
         {"Mali-T860", kMali, words("PAN_MESA_DEBUG=precompile PAN_GPU_ID=860"), "threads", 4,
-         "spills", "fills", "registers", "quadwords", 16, words(""), false},
+         "spills", "fills", "registers", "quadwords", 16, words(""), false, 4, 800, 8},
         {"Adreno-630", "libfreedreno_noop_drm_shim.so",
          words("FD_GPU_ID=630 FD_MESA_DEBUG=serialc,shaderdb IR3_SHADER_DEBUG=fs,disasm "
                "GALLIUM_THREAD=0"),
-         "waves", 16, "stp", "ldp", "full", "dwords", 4, words(""), true},
+         "waves", 16, "stp", "ldp", "full", "dwords", 4, words(""), true, 2, 710, 128},
         {"V3D-4.2", "libv3d_noop_drm_shim.so", words("V3D_DEBUG=shaderdb,precompile"), "threads", 4,
-         "spills", "fills", "max-temps", "inst", 8, words(""), false},
+         "spills", "fills", "max-temps", "inst", 8, words(""), false, 8, 500, 4},
     };
     return kGpus;
 }

@@ -27,6 +27,10 @@ struct CostGpu {
     int code_bytes;
     std::vector<std::string> units;  ///< Those that work side by side, whose cycles it counts.
     bool disassembled;               ///< Its code is printed too, which tells the 16-bit share.
+    // A phone that has it, for the estimate of time.
+    int cores;
+    int megahertz;
+    int lanes;  ///< Instructions a core runs in a cycle, where no unit's cycles are told.
 };
 
 const std::vector<CostGpu>& costGpus();
@@ -39,6 +43,7 @@ struct CompilerFigures {
     /// Why there is nothing below: what the compiler objects to; empty where it compiled.
     std::string refusal;
     int instructions = 0;
+    double run = 0;  ///< Those that one pixel runs: `instructions` until loops are weighed.
     int spills = 0;
     int fills = 0;
     int threads = 0;

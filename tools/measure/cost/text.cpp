@@ -3,6 +3,7 @@
 #include "tools/measure/cost/cost.h"
 
 #include "core/base/text.h"
+#include "tools/measure/cost/gpus.h"
 
 namespace crevice {
 namespace {
@@ -26,13 +27,14 @@ std::string textAt(const CostReport& figures, const char* key)
 /// The columns of one GPU after its bar.
 Row cellsOf(const CostReport& figures, const Keys& keys)
 {
-    if (figures.contains("refusal")) return {"|", "refused", "-", "-", "-", "-"};
+    if (figures.contains("refusal")) return {"|", "refused", "-", "-", "-", "-", "-"};
     const double cycles = figures.value("cycles", -1.0);
     const double arithmetic = figures.value("arithmetic", 0.0);
     const std::string share =
         fixed(100 * figures.value("arithmetic_16_bit", 0.0) / std::max(arithmetic, 1.0), 0) + "%";
     return {"|",
             textAt(figures, "instructions") + (figures.contains("refused") ? "+" : ""),
+            fixed(figures.value("run", 0.0), 0),
             textAt(figures, keys.spills) + ":" + textAt(figures, keys.fills),
             textAt(figures, keys.threads) + "/" + textAt(figures, "most_threads"),
             cycles < 0 ? "-" : fixed(cycles, cycles < 99.95 ? 1 : 0),
@@ -82,11 +84,25 @@ void addPasses(const CostReport& config, PassRole role, std::vector<Row>& rows)
         if (pass.at("for") == nameOf(role)) rows.push_back(rowOf(pass["pass"], pass, kPassKeys));
 }
 
+std::string timesOf(const CostReport& sum)
+{
+    std::string text = "AO in all, estimated:";
+    for (const CostReport& each : sum.at("gpus")) {
+        const CostGpu* gpu = findCostGpu(each.at("gpu").get<std::string>());
+        if (!gpu || !each.contains("milliseconds")) continue;
+        text += (text.back() == ':' ? " " : "; ") + std::string(gpu->name) + ", " +
+                std::to_string(gpu->cores) + " cores at " + std::to_string(gpu->megahertz) +
+                " MHz: " + significant(each["megacycles"], 3) + " million cycles, " +
+                significant(each["milliseconds"], 2) + " ms";
+    }
+    return text + "\n";
+}
+
 std::string tableOf(const CostReport& report, const CostReport& config)
 {
     std::vector<Row> rows = {{"pass", "px", "fetches", "MiB"}};
     for (std::size_t i = 0; i < report.at("gpus").size(); ++i)
-        rows[0].insert(rows[0].end(), {"|", "inst", "sp:fi", "occ", "cyc", "16b"});
+        rows[0].insert(rows[0].end(), {"|", "inst", "run", "sp:fi", "occ", "cyc", "16b"});
     addPasses(config, PassRole::ao, rows);
     rows.push_back(rowOf("AO in all", config.at("ao"), kSumKeys));
     if (config.at("ao_with_geometry") != config.at("ao")) {
@@ -97,7 +113,7 @@ std::string tableOf(const CostReport& report, const CostReport& config)
     rows.push_back({"not for AO alone"});
     addPasses(config, PassRole::geometry, rows);
     addPasses(config, PassRole::picture, rows);
-    return aligned(rows, report.at("gpus"));
+    return aligned(rows, report.at("gpus")) + timesOf(config.at("ao"));
 }
 
 class Comparison {
@@ -134,6 +150,7 @@ private:
             return;
         }
         for (const auto& [key, what] : {std::pair("instructions", "instructions"),
+                                        {"run", "instructions run a pixel"},
                                         {"cycles", "cycles a pixel"},
                                         {"largest_spills", "spills"},
                                         {"its_fills", "fills"}})
@@ -170,12 +187,12 @@ std::string costText(const CostReport& report)
                     text += textOf(gpu.at("gpu")) + " refuses " + textOf(pass.at("pass")) + ": " +
                             textOf(gpu["refusal"]) + "\n";
         if (config.contains("uncounted"))
-            text += "fetches not counted: " + textOf(config["uncounted"]) + "\n";
+            text += "fetches and loops not counted: " + textOf(config["uncounted"]) + "\n";
         text += "\n";
     }
     return text +
-           "Mend spills (sp:fi above 0:0) first, then occ below its most. cyc counts loops once, "
-           "fetches as they run; both are for a pixel. See docs/reference/cost.md.\n";
+           "Mend spills (sp:fi above 0:0) first, then occ below its most. run, cyc and fetches are "
+           "for a pixel, loops as often as they run. See docs/reference/cost.md.\n";
 }
 
 Result<ApprovedCost> readCost(const std::string& name, const std::string& text,
