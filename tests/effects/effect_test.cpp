@@ -170,7 +170,7 @@ TEST_CASE("Two cameras that take turns with one history are warned of once, and 
 {
     enum class Kind { moving, turning, cut, jittered, still };
     for (const Kind kind : {Kind::moving, Kind::turning, Kind::cut, Kind::jittered, Kind::still}) {
-        for (const char* config : {"mobile_temporal", "mobile"}) {
+        for (const char* config : {"balanced_temporal", "mobile"}) {
             INFO(config << " " << static_cast<int>(kind));
             RecordingDevice device;
             Effect effect = need(Effect::create(device, config, kExtent));

@@ -77,10 +77,9 @@ bool fires(const std::string& optimization, const std::string& config)
     return false;
 }
 
-const char* const kPresets[] = {
-    "mobile_low",    "mobile",    "mobile_temporal", "balanced", "balanced_temporal",
-    "high",          "reference", "quality",         "gtao",     "bitmask",
-    "bitmask_layers"};
+const char* const kPresets[] = {"mobile_low", "mobile",        "balanced", "balanced_temporal",
+                                "high",       "reference",     "quality",  "gtao",
+                                "bitmask",    "bitmask_layers"};
 
 /// A module, and the textures that it reads.
 const std::pair<const char*, std::vector<std::string>> kHosts[] = {

@@ -94,7 +94,7 @@ mediump float blockedByVoxels(March march, Voxelled at, Side side, uint mask, in
     uint open_mask = ~mask & 0x7fffffffu;
     mediump vec2 shift = fract(vec2(3.0 * march.noise.x + 0.03125, march.noise.y) + vec2(0.4375, 0.618) * float(i));
     mediump vec2 into = wayInto(side, bitAbove(open_mask, 0.25 + 0.5 * shift.x));
-    mediump vec3 up = side.towards.y * march.to_camera - side.towards.x * side.along;
+    mediump vec3 up = side.towards.y * toCamera(march.point) - side.towards.x * side.along;
     mediump vec3 way = into.x * side.x + into.y * up;
     mediump float height = max(dot(way, march.plane), 0.02);
     highp vec3 step_in_box = mat3(at.voxels.from_view) * way * at.voxels.size;  // of one voxel

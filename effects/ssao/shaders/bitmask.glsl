@@ -44,6 +44,13 @@ const mediump vec2 kGuessed = vec2(1.0, 3.0);
 #endif
 
 // Both ends are rounded: 0.0423 and 0.0242. Rounded down and up, about as in the authors' code, 0.0476 and 0.0303.
+uint maskBetween(mediump float least, mediump float most)
+{
+    highp uint begin = uint(least + 0.5);
+    highp uint end = uint(most + 0.5);
+    return (1u << end) - (1u << begin);
+}
+
 uint maskOf(mediump float first, mediump float last)
 {
     // Written inline, the literal would take the precision of what it is shifted by: 16 bits of the mask.
@@ -98,9 +105,11 @@ uint blockedBy(Side side, mediump vec2 at, mediump vec2 away, mediump float deep
     if (meets || filled > 0.0) {
         sector = sectorOf(side, begin);
         mediump float part = 0.5 * filled * (trail.sector - sector);  // from either end
-        blocked = maskOf(sector, sector + part) | maskOf(trail.sector - part, trail.sector);
+        mediump float back = meets ? sectorOf(side, at + last * away) : sector;
+        // All of what begins at `sector`, to either side.
+        blocked = maskBetween(min(min(sector, sector + part), back), max(max(sector, sector + part), back)) |
+                  maskOf(trail.sector - part, trail.sector);
     }
-    if (meets) blocked |= maskOf(sector, sectorOf(side, at + last * away));
     trail = Trail(at, sector, deep, step_here, filled > 0.5 ? way : vec2(0.0));
     return blocked;
 }
@@ -114,17 +123,16 @@ mediump float lengthOf(mediump float stored)
 
 // The sectors blocked by the first things that taps see, or with `second` by those behind them: one march each, for both
 // at once take more registers than phones have.
-uint blockedOn(March march, Side side, bool second, mediump float voxel)
+uint blockedOn(March march, Side side, bool second, mediump float voxel, uint blocked)
 {
-    uint blocked = 0u;
     highp float place = 0.0;
     Trail trail = Trail(vec2(second ? 2.0 : 0.0), 0.0, second ? 0.0 : thickness, 0.0, vec2(0.0));  // 2: nothing near
     for (int i = 0; i < STEPS; ++i) {
         mediump float apart = -place;
         place = placeOf(march, side, i);
         apart += place;
-        highp vec2 texel = texelOf(march, march.pixel + place * float(STEPS) * side.step);
-        mediump vec2 at = withinSlice(side, offsetAt(march, texel));
+        highp vec2 texel = texelOf(march, place * float(STEPS) * side.step);
+        mediump vec2 at = withinSlice(march, side, offsetAt(march, texel));
         mediump vec2 away = normalize(at * march.nearness - side.towards);
         mediump float deep = thickness;
 #if BACK_FACES
@@ -150,9 +158,10 @@ uint blockedOn(March march, Side side, bool second, mediump float voxel)
 // Interface `estimator`: 1 open .. 0 blocked, of what marchFrom or marchOf has found; 1 where that is not `known`.
 mediump float visibilityFrom(March march, bool known)
 {
+    known = known && radiusFade(march) > 0.0;
     // Not a constant: written out, the sides would take more registers than a phone has.
     int sides = known ? 2 * kSlices : 0;
-    int layers = min(sides, 1 + SECOND_LAYER);
+    int layers = SECOND_LAYER > 0 ? min(sides, 2) : 1;
     mediump float blocked = 0.0;
     mediump float whole = 0.0;
     mediump float voxel = 0.0;
@@ -163,7 +172,7 @@ mediump float visibilityFrom(March march, bool known)
     for (int i = 0; i < sides; ++i) {
         Side side = sideOf(march, i);
         uint mask = 0u;
-        for (int layer = 0; layer < layers; ++layer) mask |= blockedOn(march, side, layer > 0, voxel);
+        for (int layer = 0; layer < layers; ++layer) mask = blockedOn(march, side, layer > 0, voxel, mask);
         mediump float light = side.projected_length * side.whole;
         mediump float sectors = countOf(mask);
 #ifdef VOXEL_RAYS

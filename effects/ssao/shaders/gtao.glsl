@@ -35,8 +35,7 @@ mediump float horizonOf(March march, Side side, int steps)
         mediump float apart = -place;
         place = placeOf(march, side, i);
         apart = max(apart + place, 1e-4);  // 0 where the radius has fewer pixels than steps
-        highp vec2 pixel = march.pixel + place * float(STEPS) * side.step;
-        mediump vec2 at = withinSlice(side, offsetAt(march, texelOf(march, pixel)));
+        mediump vec2 at = withinSlice(march, side, offsetAt(march, texelOf(march, place * float(STEPS) * side.step)));
         way = at - before;
         mediump float step_here = dot(way, side.towards);
         mediump float uneven = unevenStep(step_here, step_before);
@@ -79,6 +78,9 @@ mediump vec2 openDirection(Side side, mediump vec2 horizon)
 // Interface `estimator`: 1 open .. 0 blocked, of what marchFrom or marchOf has found; 1 where that is not `known`.
 mediump float visibilityFrom(March march, bool known)
 {
+#ifndef BENT_NORMALS
+    known = known && radiusFade(march) > 0.0;
+#endif
     // No constants: written out, the loops would take more registers than a phone has.
     int sides = known ? 2 * kSlices : 0;
     int steps = known ? STEPS : 0;
@@ -97,7 +99,7 @@ mediump float visibilityFrom(March march, bool known)
         whole += side.projected_length * side.whole;
 #ifdef BENT_NORMALS
         mediump vec2 direction = openDirection(side, horizon);
-        bent += side.projected_length * (march.to_camera * direction.x + side.along * direction.y);
+        bent += side.projected_length * (toCamera(march.point) * direction.x + side.along * direction.y);
 #endif
     }
 #ifdef BENT_NORMALS

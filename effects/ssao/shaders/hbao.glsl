@@ -24,8 +24,8 @@ uniform mediump float falloff;
 mediump float weightOf(March march, mediump vec3 offset)
 {
 #if THIN_OCCLUDERS == THIN_OCCLUDERS_COUNT
-    mediump float nearer = dot(offset, march.to_camera);
-    offset -= march.to_camera * nearer;
+    mediump float nearer = dot(offset, toCamera(march.point));
+    offset -= toCamera(march.point) * nearer;
     if (nearer < -0.7 * kFar) return 0.0;  // the background
 #endif
     mediump float share = dot(offset, offset);
@@ -61,7 +61,7 @@ mediump float lightUpTo(March march, Side side, mediump vec3 offset)
 {
     mediump float inverse = inversesqrt(max(dot(offset, offset), 1e-5));
     mediump float height = dot(offset, march.normal) * inverse / side.projected_length;
-    return lightUpToLift(side, liftOf(side, height, dot(offset, march.to_camera) * inverse));
+    return lightUpToLift(side, liftOf(side, height, dot(offset, toCamera(march.point)) * inverse));
 }
 
 // The blocked light of one side. Off the screen the surface last seen goes on until it leaves the radius, with the mean
@@ -76,7 +76,7 @@ mediump float blockedOn(March march, Side side, mediump float least_lift, int st
     mediump vec3 way = vec3(0.0);
     highp vec2 at = side.first;
     for (int i = 0; i < steps; ++i) {
-        mediump vec3 offset = offsetAt(march, texelOf(march, at));
+        mediump vec3 offset = offsetAt(march, texelOf(march, at - march.pixel));
         at += side.step;
         weight = weightOf(march, offset);
         mediump float higher = max(lightUpTo(march, side, offset) - below, 0.0);

@@ -31,12 +31,16 @@ const highp float kPi = 3.14159265;
 // the view a smaller one (march_missing.frag).
 #ifdef MARCH_FROM_VIEW
 highp ivec2 sourceSize() { return textureSize(MARCH_FROM_VIEW, 0); }
-#else
-highp ivec2 sourceSize() { return ivec2(viewport_size); }
-#endif
-#ifndef MARCH_IN_TILES
 highp vec2 marchedSize() { return vec2(sourceSize()); }
 highp vec2 stride() { return viewport_size / marchedSize(); }  // from one of its pixels to the next, in the view's
+#else
+highp ivec2 sourceSize() { return ivec2(viewport_size); }
+#ifndef MARCH_IN_TILES
+highp vec2 marchedSize() { return viewport_size; }
+highp vec2 stride() { return vec2(1.0); }
+#endif
+#endif
+#ifndef MARCH_IN_TILES
 highp vec2 inView(highp vec2 pixel) { return pixel * stride(); }
 highp ivec2 marchedTexel(highp vec2 pixel) { return ivec2(pixel); }  // without the guard band
 #endif
@@ -56,7 +60,6 @@ struct March {
     highp ivec2 band;        // the guard band's texels on either side
     mediump vec3 normal;     // weighs light
     mediump vec3 plane;      // normal of the surface's plane
-    mediump vec3 to_camera;  // unit
     mediump float nearness;  // one over the camera's distance
     mediump vec2 noise;      // 0..1: turns the slices, shifts the taps
 };
@@ -84,6 +87,16 @@ highp float seenReach(highp vec3 point)
 #endif
 }
 
+// The direction from a point to the camera, unit. Computed where it is read: kept, it takes registers from tap to tap.
+mediump vec3 toCamera(highp vec3 point)
+{
+#if CAMERA_ORTHOGRAPHIC
+    return vec3(0.0, 0.0, 1.0);
+#else
+    return -normalize(point);
+#endif
+}
+
 // A normal that leans away from the camera is bent until the cosine to it is this.
 const mediump float kLeastFacing = 0.05;
 
@@ -106,17 +119,15 @@ void marchOf(highp vec2 pixel, highp float share, mediump vec3 normal, mediump v
     march.unit = depthUnit() / march.radius;
     highp vec3 point = pointOn(march, pixel, z / march.radius);
 #if CAMERA_ORTHOGRAPHIC
-    march.to_camera = vec3(0.0, 0.0, 1.0);
     march.nearness = 0.0;
 #else
-    march.to_camera = -normalize(point);
     march.nearness = inversesqrt(dot(point, point));
 #endif
     // Of a radius wider than the screen the screen's share.
     highp float lift = bias * wider / max(screens, 1.0);
 #if SHADING_NORMALS
-    mediump float away = max(kLeastFacing - dot(march.normal, march.to_camera), 0.0);
-    march.normal = normalize(march.normal + march.to_camera * away);
+    mediump vec3 camera = toCamera(point);
+    march.normal = normalize(march.normal + camera * max(kLeastFacing - dot(march.normal, camera), 0.0));
 #endif
     highp float facing = abs(dot(march.plane, rayThrough(inView(pixel))));
     highp float rounding = shareStep(share) / march.radius * facing;
@@ -150,8 +161,8 @@ bool marchFrom(highp vec2 pixel, out March march)
 // One side of a slice through the hemisphere. Within the slice lengths have x along the surface's plane, y over it.
 struct Side {
     mediump vec3 along;   // unit, perpendicular to the direction to the camera
-    mediump vec3 x;       // axes of what lies within the slice; y of whatever lies in the plane is 0
-    mediump vec3 y;
+    mediump vec3 x;       // axis of what lies within the slice; its y, along the plane's normal, is 0 in the plane
+    mediump float height; // y of a point one radius over the plane
     mediump vec2 towards; // the camera, within the slice
     mediump vec2 lean;    // cosine and sine of the angle from the level that the normal has up to the plane
     mediump float cos_n;  // cosine of the angle between the view ray and the normal's projection onto the slice
@@ -213,10 +224,11 @@ Side sideOf(March march, int i)
     mediump float angle = kPi / float(kSlices) * (march.noise.x + float(i));
     mediump vec2 turn = vec2(cos(angle), sin(angle));
     Side side;
-    mediump vec3 to_camera = hostFromPicture(march.to_camera);
+    mediump vec3 camera = toCamera(march.point);
+    mediump vec3 to_camera = hostFromPicture(camera);
     mediump vec3 right = normalize(vec3(max(to_camera.z, 1e-3), 0.0, -to_camera.x));
     mediump vec3 along = pictureFromHost(turn.x * right + turn.y * cross(to_camera, right));
-    mediump vec2 projected = vec2(dot(march.normal, march.to_camera), dot(march.normal, along));
+    mediump vec2 projected = vec2(dot(march.normal, camera), dot(march.normal, along));
     mediump float inverse_length = inversesqrt(max(dot(projected, projected), 1e-3));
     side.along = along;
     side.cos_n = projected.x * inverse_length;
@@ -224,17 +236,17 @@ Side sideOf(March march, int i)
     side.projected_length = 1.0 / inverse_length;
     side.lean = vec2(1.0, 0.0);
     side.towards = vec2(-side.sin_n, side.cos_n);
-    side.y = march.plane * inverse_length;
+    side.height = inverse_length;
 #if SHADING_NORMALS
-    mediump vec2 plane = vec2(dot(march.plane, march.to_camera), dot(march.plane, along));
+    mediump vec2 plane = vec2(dot(march.plane, camera), dot(march.plane, along));
     mediump float inverse_plane = inversesqrt(max(dot(plane, plane), 1e-3));
     plane *= inverse_plane;
     side.lean = vec2(dot(projected, plane), projected.y * plane.x - projected.x * plane.y);
     side.lean *= inverse_length;
     side.towards = vec2(-plane.y, plane.x);
-    side.y = march.plane * inverse_plane;
+    side.height = inverse_plane;
 #endif
-    side.x = side.towards.y * along + side.towards.x * march.to_camera;
+    side.x = side.towards.y * along + side.towards.x * camera;
     side.below = side.lean.y > 0.0 ? lightUpTo(side.cos_n, side.sin_n, side.lean.x) : 0.0;
     side.whole = max(lightUpTo(side.cos_n, side.sin_n, -side.sin_n) - side.below, 1e-2);
     highp vec3 way = seenReach(march.point) * along;
@@ -268,16 +280,17 @@ highp float placeOf(March march, Side side, int i)
     return min(max(even * mix(closer, 1.0, even), side.pixel * float(i + 1)), 1.0);
 }
 
-// The texel that a tap at `pixel` reads. Far off only every fourth row is read, the next towards the middle of the
+// The texel that a tap a `way` from the pixel reads. Far off only every fourth row is read, the next towards the middle of the
 // picture: a quarter of the memory, which caches hold. At 1920x1080 on a CPU, radius 10 in the room, the pass takes
 // 204 ms in balanced, with all rows 289; rmse changes by 1 % or less.
-highp vec2 texelOf(March march, highp vec2 pixel)
+highp vec2 texelOf(March march, highp vec2 way)
 {
+    highp vec2 texel = floor(march.pixel + way);
+#ifndef MARCH_FROM_VIEW
     const highp float kFarPixels = 64.0;
-    highp vec2 way = abs(pixel - march.pixel);
-    highp vec2 texel = floor(pixel);
     highp float middle = floor(0.5 * marchedSize().y);
-    if (max(way.x, way.y) > kFarPixels) texel.y = middle + 4.0 * trunc(0.25 * (texel.y - middle));
+    if (max(abs(way.x), abs(way.y)) > kFarPixels) texel.y = middle + 4.0 * trunc(0.25 * (texel.y - middle));
+#endif
 #ifdef MARCH_IN_TILES
     texel = clamp(texel, vec2(0.0), marchedSize() - 1.0);  // beyond the edge lies another tile
 #endif
@@ -296,9 +309,9 @@ mediump vec3 offsetAt(March march, highp vec2 texel)
 }
 
 // Within the slice, turned into it about the normal: texels lie beside the line.
-mediump vec2 withinSlice(Side side, mediump vec3 offset)
+mediump vec2 withinSlice(March march, Side side, mediump vec3 offset)
 {
-    mediump float y = clamp(dot(offset, side.y), -kFar, kFar);
+    mediump float y = clamp(dot(offset, march.plane) * side.height, -kFar, kFar);
     mediump float x = sqrt(max(dot(offset, offset) - y * y, 0.0));
     return vec2(dot(offset, side.x) < 0.0 ? -x : x, y);
 }

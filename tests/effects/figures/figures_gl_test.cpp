@@ -64,7 +64,6 @@ const Row kOcclusion[] = {
     {"gtao", kWide, {"rotation=gradient", "slices=1", "steps=5"}, 0.0765, 0.0057},
     {"gtao_temporal", kWide, {"intensity=1.5", "bias=0.05"}, 0.0877, -0.0495},
     {"balanced_temporal", kClose, {"guard_band=1"}, 0.0550, 0.0094},
-    {"mobile_temporal", kWide, {"intensity=1.4"}, 0.1037, -0.0696},
     {"bitmask_layers", kClose, {"thickness=1"}, 0.0543, 0.0205},
 };
 

@@ -160,7 +160,6 @@ TEST_CASE("A preset on a host's surface is the same preset drawn, without band, 
 {
     const std::tuple<const char*, const char*, Overrides> presets[] = {
         {"mobile", "+geometry/host_depth", {"guard_band=1"}},
-        {"mobile_temporal", "+geometry/host_depth", {"guard_band=1"}},
         {"gtao", "+geometry/host_depth_normal", {"guard_band=1"}},
         {"balanced", "+geometry/host_depth_normal", {"guard_band=1", "back_faces=false"}},
         {"balanced_temporal", "+geometry/host_depth_normal", {"guard_band=1", "back_faces=false"}},

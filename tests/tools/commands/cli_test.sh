@@ -105,7 +105,7 @@ expect 0 'another: ok' validate --all --effects checkout
 
 # --- on a host's depth: a forward config, a deferred one with layers, one with a history ---
 configs=(mobile high balanced_temporal)
-[[ -z ${CREVICE_NIGHTLY:-} ]] || configs+=(balanced mobile_temporal gtao quality reference)
+[[ -z ${CREVICE_NIGHTLY:-} ]] || configs+=(balanced gtao quality reference)
 for config in "${configs[@]}"; do
     for words in --host-depth --host-depth=normals --host-depth=linear --host-depth=log_normals; do
         expect 0 "ok \\([0-9]+ passes" validate "$config" "$words"

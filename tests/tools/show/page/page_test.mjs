@@ -17,7 +17,7 @@ const [FIRST_PICTURE_MS, ACTIONS] = [8000, 200];
 
 // The ordinary run compares each kind of config with this machine's picture, and turns the knobs of two.
 const NIGHTLY = 'CREVICE_NIGHTLY' in process.env;
-const COMPARED = ['mobile_low', 'mobile', 'mobile_temporal', 'balanced', 'balanced_far', 'high', 'hbao_plus', 'vxao', 'learnopengl', 'lettier'];
+const COMPARED = ['mobile_low', 'mobile', 'balanced', 'balanced_far', 'high', 'hbao_plus', 'vxao', 'learnopengl', 'lettier'];
 const TURNED = ['mobile', 'balanced'];
 const nightly = {skip: !NIGHTLY && 'takes minutes, and tools/test.sh --nightly runs it'};
 
