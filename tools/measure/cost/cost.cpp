@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "tools/measure/cost/counting_device.h"
 #include "tools/measure/cost/gpus.h"
+#include "tools/measure/cost/loops.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/view_diagnosis.h"
 #include "tools/show/plan/planning.h"
