@@ -175,8 +175,11 @@ struct Writer {
             jumps ? "do { if (!(" + asked + ")) break;\n" + body + "\n} while (false);\n"
                   : "if (" + asked + ")\n" + body + "\n";
         const std::string step = of(loop.step) + ";\n";
-        return "{ " + of(loop.initial) + ";\n" + once + step + (index == twice ? once + step : "") +
-               "}";
+        // Such as the #endif of an #if about the head alone.
+        const std::size_t closes = std::max(loop.condition.end, loop.step.end);
+        const std::string between = text.substr(closes + 1, loop.body.begin - closes - 1);
+        return "{ " + of(loop.initial) + ";\n" + between + once + step +
+               (index == twice ? once + step : "") + "}";
     }
 };
 

@@ -90,6 +90,8 @@ TEST_CASE("Without loops each body is there once, and one of them twice")
     CHECK(written("for (int i = 0; i < 4; ++i) { a(); }", -1) ==
           "{ int i = 0; if ( i < 4) { a(); } ++i; }");
     CHECK(written("while (b) a();", 0) == "{ ; if (b) a(); ; if (b) a(); ; }");
+    CHECK(written("#if 1\nwhile (b)\n#endif\n{ a(); }", -1) ==
+          "#if 1 { ; #endif if (b) { a(); } ; }");
     CHECK(written("for (;;) { a(); break; }", -1) ==
           "{ ; do { if (!(true)) break; { a(); break; } } while (false); ; }");
     CHECK(written("while (b) while (c) a();", 1) ==
