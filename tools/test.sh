@@ -116,7 +116,7 @@ done <<<"$stages"
 
 printf '\n'
 printf '%s\n' "${taken[@]}" "$(printf '%5d s  together' $SECONDS)"
-if ((${#skipped[@]})); then printf 'SKIPPED, at least in part: %s\n' "${skipped[@]}"; fi
+if ((${#skipped[@]})); then printf 'SKIPPED, at least in part:%s\n' "${skipped[@]}"; fi
 if ((${#failed[@]})); then printf 'FAILED:%s\n' "${failed[@]}"; fi
 printf 'Stages: %d passed, %d failed, %d skipped\n' $passed ${#failed[@]} ${#skipped[@]}
 ((${#failed[@]} == 0))
