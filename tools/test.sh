@@ -18,6 +18,7 @@ stages='
 contributor |   60 | packages         | Packages (tools/scripts/packages.txt)
 contributor |  330 | build            | Building, with warnings as errors
 contributor |  180 | tests            | Tests
+contributor |  100 | costs            | Costs on phones, where their compilers are built
 all         |  100 | full_packages    | Packages for the stages below
 all         |  100 | full_tests       | Tests on OSMesa, of stress, and of pages in a browser
 all         |   60 | guard            | Errors against docs/bench
@@ -56,6 +57,7 @@ fi
 packages() { tools/scripts/install_packages.sh; }
 build() { cmake --preset ci "${options[@]}" && cmake --build --preset ci; }
 tests() { ctest --preset ci --no-tests=error --parallel 2 --label-exclude 'full|nightly'; }
+costs() { or_skipped tools/scripts/figures.sh cost --check; }
 full_tests() { ctest --preset ci --no-tests=error --parallel 2 --label-regex full; }
 full_packages() {
     local npm=
@@ -96,11 +98,11 @@ code_faults() { tests/faults/run.sh build/faults; }
 or_skipped() {
     local code=0
     "$@" || code=$?
-    ((code == 0)) || { ((code == 77)) && skipped=$((skipped + 1)); }
+    ((code == 0)) || { ((code == 77)) && skipped+=("$title"); }
 }
 
 # Goes on where a stage fails, so that one run shows everything.
-passed=0 skipped=0 failed=() taken=()
+passed=0 skipped=() failed=() taken=()
 while IFS='|' read -r first budget command title; do
     read -r first budget command <<<"$first $budget $command"
     [[ -n $first && ($first == contributor || $first == "$run" || $run == nightly) ]] || continue
@@ -114,6 +116,7 @@ done <<<"$stages"
 
 printf '\n'
 printf '%s\n' "${taken[@]}" "$(printf '%5d s  together' $SECONDS)"
+if ((${#skipped[@]})); then printf 'SKIPPED, at least in part:%s\n' "${skipped[@]}"; fi
 if ((${#failed[@]})); then printf 'FAILED:%s\n' "${failed[@]}"; fi
-printf 'Stages: %d passed, %d failed, %d skipped\n' $passed ${#failed[@]} $skipped
+printf 'Stages: %d passed, %d failed, %d skipped\n' $passed ${#failed[@]} ${#skipped[@]}
 ((${#failed[@]} == 0))

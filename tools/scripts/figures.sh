@@ -9,7 +9,8 @@
 #   tools/scripts/figures.sh stress [FOLDER]      where AO breaks: ten minutes; FOLDER keeps what is drawn
 #   tools/scripts/figures.sh authors              the variant `sound` and other seeds of ports: two minutes
 #   tools/scripts/figures.sh precision            half floats against 32 bits: a minute
-#   tools/scripts/figures.sh cost                 costs on phones' GPUs, and docs/cost/phones.json: half a minute
+#   tools/scripts/figures.sh cost                 costs on phones' GPUs, and docs/cost/phones.json: two minutes; also of
+#                                                 peers, and docs/cost/peers.json, where tools/scripts/peers.sh made them
 #   tools/scripts/figures.sh cost --check         changes nothing. Exit code 1 where a config spills, loses occupancy or
 #                                                 costs a tenth more than in phones.json; 77 without the compilers,
 #                                                 which tools/scripts/mobile_compilers.sh builds
@@ -191,6 +192,7 @@ precision() {
     done | fill precision
 }
 
+of_peers='^(n8ao|three|postprocessing)_'  # what tools/scripts/peers.sh makes
 cost() {
     local approved=docs/cost/phones.json
     if [[ ${1:-} == --check ]]; then
@@ -198,28 +200,51 @@ cost() {
         echo "If that is meant: tools/scripts/figures.sh cost, and say why in the commit."
         exit 1
     fi
-    mapfile -t configs < <(configs_of cost)
-    "$CREVICE" cost "${configs[@]}" --out "$approved" >/dev/null
-    # The sums of each config; the file has each object without lists in one line.
-    awk -v OFS='\t' '
-        function value(key) {
-            if (!match($0, "\"" key "\": ?[^,}]*")) return 0
-            return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 3) + 0
-        }
-        function put(column, text) { print config, column, text }
-        /"config":/ { config = $2; gsub(/[",]/, "", config); config = "`" config "`" }
-        /"ao": \{/ { sum = "ao" }
-        /"ao_with_geometry": \{/ { sum = "with" }
-        /"passes": \[/ { sum = "" }
-        sum == "ao" && /"fetches"/ { put("fetches", sprintf("%.1f", value("fetches"))) }
-        sum && /"tile_bytes"/ { put(sum == "ao" ? "MiB" : "with geometry", sprintf("%.1f", value("tile_bytes") / 1048576)) }
-        sum == "ao" && /"gpu": ?"Mali-G57"/ {
-            put("cyc", sprintf("%.1f", value("cycles")))
-            put("occ", value("lowest_threads") "/" value("most_threads"))
-        }
-        sum == "ao" && /"gpu": ?"Adreno/ {
-            put("16b", sprintf("%.0f%%", 100 * value("arithmetic_16_bit") / value("arithmetic")))
-        }' "$approved" | fill cost
+    local all peers=${XDG_CACHE_HOME:-$HOME/.cache}/crevice/peers command compared=docs/cost/peers.json
+    command=$(realpath -- "$CREVICE") all=$(configs_of cost)
+    # shellcheck disable=SC2046
+    "$CREVICE" cost $(grep -vE "$of_peers" <<<"$all") --out "$approved" >/dev/null
+    if [[ -d $peers ]]; then  # the figures name no folder
+        # shellcheck disable=SC2046
+        (cd -- "$peers" && "$command" cost $(grep -E "$of_peers" <<<"$all" | sed 's/$/.json/') --out "$work/peers.json") \
+            >/dev/null
+        cp -- "$work/peers.json" "$compared"
+    fi
+    # A row for each config, the cheapest first; the file has each object without lists in one line.
+    local file
+    for file in "$approved" "$compared"; do
+        awk '
+            function value(key) {
+                if (!match($0, "\"" key "\": ?[^,}]*")) return 0
+                return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 3) + 0
+            }
+            function mebibytes() { return sprintf("%.1f", value("tile_bytes") / 1048576) }
+            function end() {
+                if (config != "") printf "%g\t| `%s` | %s | %s | %s | %.1f | about %s | %s | %s | %s |\n", cycles, config,
+                    fetches, alone, with, cycles, ms, occupancy, spills, half
+                most = -1
+            }
+            /"config":/ { end(); config = $2; gsub(/[",]|\.json/, "", config) }
+            /"ao": \{/ { sum = "ao" }
+            /"ao_with_geometry": \{/ { sum = "with" }
+            /"passes": \[/ { sum = "" }
+            sum == "ao" && /"fetches"/ { fetches = sprintf("%.1f", value("fetches")) }
+            sum == "ao" && /"tile_bytes"/ { alone = mebibytes() }
+            sum == "with" && /"tile_bytes"/ { with = mebibytes() }
+            sum == "ao" && /"gpu":/ && value("largest_spills") + value("its_fills") > most {
+                most = value("largest_spills") + value("its_fills")
+                spills = value("largest_spills") ":" value("its_fills")
+            }
+            sum == "ao" && /"gpu": ?"Mali-G57"/ {
+                cycles = value("megacycles")
+                ms = sprintf(value("milliseconds") < 9.95 ? "%.1f" : "%.0f", value("milliseconds"))
+                occupancy = value("lowest_threads") "/" value("most_threads")
+            }
+            sum == "ao" && /"gpu": ?"Adreno/ {
+                half = sprintf("%.0f%%", 100 * value("arithmetic_16_bit") / value("arithmetic"))
+            }
+            END { end() }' "$file" | sort -g | cut -f 2
+    done | fill cost
 }
 
 if [[ $* == "cost --check" ]]; then

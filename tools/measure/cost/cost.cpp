@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "tools/measure/cost/counting_device.h"
 #include "tools/measure/cost/gpus.h"
+#include "tools/measure/cost/loops.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/view_diagnosis.h"
 #include "tools/show/plan/planning.h"
@@ -136,7 +137,8 @@ CompilerFigures figuresOf(const std::vector<CompilerFigures>& compiled, const Va
     CompilerFigures whole = *figures;
     if (loops.empty() || !count || count->runs.size() != loops.size()) return whole;
     for (std::size_t i = 1; i < loops.size() + 2; ++i)
-        if (!figures[i].refusal.empty()) return whole;
+        if (!figures[i].refusal.empty()) whole.refusal = "without loops: " + figures[i].refusal;
+    if (!whole.refusal.empty()) return whole;
     const auto asItRuns = [&](auto&& cost) {
         std::vector<double> twice;
         for (std::size_t i = 0; i < loops.size(); ++i) twice.push_back(cost(figures[i + 2]));

@@ -7,23 +7,12 @@
 // always do, loops run as often as they really do, and any OpenGL ES 3.0 device will do.
 #pragma once
 
-#include "tools/measure/cost/loops.h"
 #include "tools/render/device/forwarding_device.h"
 #include "tools/render/scene/options.h"
 
 #include <crevice/config.h>
 
 namespace crevice {
-
-/// The fragment shader's text with outputs as plain variables, each call of a built-in function
-/// that fetches from a texture counted, and an output of its own of the format rgba8: two counts,
-/// each as its low and high byte, as unsigned normalized numbers. Where the uniform crevice_which
-/// is 0 they are fetches and 1; where it is n, they say how often the `n - 1`th of `loops`, which
-/// are the text's, was entered and its body run. Nothing where the text has no `main`.
-///
-/// A `discard` discards the count too. textureGather counts as one.
-std::optional<std::string> countedFragment(const std::string& text,
-                                           const std::vector<GlslLoop>& loops);
 
 /// What a fullscreen pass did in a frame.
 struct PassCount {

@@ -17,11 +17,13 @@ public:
         preprocess({{"shader", source}}, {}, "shader", unit_);
         if (!unit_.errors.empty()) return;
         const std::string& blanked = unit_.blanked.front();
-        const TextPart all = {0, blanked.size()};
+        std::vector<std::size_t> lines = {0};  // where they begin
+        for (std::size_t at = 0; (at = blanked.find('\n', at)) != std::string::npos;)
+            lines.push_back(++at);
         for (const GlslToken& token : unit_.tokens) {
-            const auto at = reinterpret_cast<std::uintptr_t>(token.text.data()) -
-                            reinterpret_cast<std::uintptr_t>(blanked.data());
-            if (!all.holds(at)) continue;  // what a macro stands for
+            const std::size_t at =
+                lines[static_cast<std::size_t>(token.line) - 1] + token.column - 1;
+            if (token.text.data() != blanked.data() + at) continue;  // what a macro stands for
             tokens_.push_back(token);
             places_.push_back(at);
         }
@@ -173,8 +175,11 @@ struct Writer {
             jumps ? "do { if (!(" + asked + ")) break;\n" + body + "\n} while (false);\n"
                   : "if (" + asked + ")\n" + body + "\n";
         const std::string step = of(loop.step) + ";\n";
-        return "{ " + of(loop.initial) + ";\n" + once + step + (index == twice ? once + step : "") +
-               "}";
+        // Such as the #endif of an #if about the head alone.
+        const std::size_t closes = std::max(loop.condition.end, loop.step.end);
+        const std::string between = text.substr(closes + 1, loop.body.begin - closes - 1);
+        return "{ " + of(loop.initial) + ";\n" + between + once + step +
+               (index == twice ? once + step : "") + "}";
     }
 };
 

@@ -93,7 +93,7 @@ std::string timesOf(const CostReport& sum)
         text += (text.back() == ':' ? " " : "; ") + std::string(gpu->name) + ", " +
                 std::to_string(gpu->cores) + " cores at " + std::to_string(gpu->megahertz) +
                 " MHz: " + significant(each["megacycles"], 3) + " million cycles, " +
-                significant(each["milliseconds"], 2) + " ms";
+                fixed(each["milliseconds"], each["milliseconds"] < 9.95 ? 1 : 0) + " ms";
     }
     return text + "\n";
 }

@@ -4,7 +4,7 @@
 #include "tools/measure/cost/cost.h"
 #include "core/base/text.h"
 #include "tests/support/need.h"
-#include "tools/measure/cost/counting_device.h"
+#include "tools/measure/cost/counted_fragment.h"
 #include "tools/measure/cost/gpus.h"
 
 #include "tools/show/plan/planning.h"
@@ -213,15 +213,21 @@ TEST_CASE("Every fetch is counted where it stands, nested ones too")
               "ao = float(textureSize(t, 0).x);"));
 }
 
-TEST_CASE("A macro counts what it fetches")
+TEST_CASE("A macro counts what it fetches, and one that is another name of such a function fetches")
 {
-    const auto text = countedFragment(
-        "#version 300 es\n#define AT(p) texelFetch(t, p, 0)\n"
-        "out float ao;\nvoid main() { ao = AT(p).r; }\n",
-        {});
-    REQUIRE(text);
-    CHECK(has(*text, "#define AT(p) (++crevice_fetches, texelFetch(t, p, 0))\n"));
-    CHECK(has(*text, "ao = AT(p).r;"));
+    const auto counted = [](const char* line, const char* body) {
+        const auto text = countedFragment(
+            std::string("#version 300 es\n") + line + "\nout float ao;\n" + body, {});
+        REQUIRE(text);
+        return *text;
+    };
+    const std::string at = counted("#define AT(p) texelFetch(t, p, 0)", "void main() { AT(p).r; }");
+    CHECK(has(at, "#define AT(p) (++crevice_fetches, texelFetch(t, p, 0))\n"));
+    CHECK(has(at, "{ AT(p).r; }"));
+    const std::string named = counted("#define old texture\n#define older old\n#define no (t, uv)",
+                                      "void main() { old(t, uv); older(t, uv); texture no; }");
+    CHECK(has(named, "#define older old\n"));
+    CHECK(has(named, "{ (++crevice_fetches, old(t, uv)); (++crevice_fetches, older(t, uv)); "));
 }
 
 TEST_CASE("The figures of Mali's compiler are those of the fragment shader, unit by unit")
