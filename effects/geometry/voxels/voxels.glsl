@@ -18,12 +18,19 @@ const int kBoxes = 1 + 2 * FAR_BOXES;
 const highp float kOffCentre = 1.0 / 16.0;  // of an edge: half a step, by which a box may be off the camera
 const highp float kFade = 1.0 / 8.0;        // of the way to a border, over which boxes fade into each other
 
-// One of the boxes.
+// One of the boxes. Its matrix is read where it is needed: kept, it takes half of a phone's registers.
 struct Voxels {
     int box;
-    highp mat4 from_view;
     highp float size;  // of a voxel, in scene units
 };
+
+highp mat4 boxFromView(int box)
+{
+#if FAR_BOXES
+    if (box > 0) return box == 1 ? middle_box : far_box;
+#endif
+    return near_box;
+}
 
 // The largest part of a place off the middle of a box.
 highp float offMiddle(highp vec3 off)
@@ -38,12 +45,9 @@ highp float offMiddle(highp vec3 off)
 bool findVoxels(highp vec3 point, mediump float noise, out Voxels voxels)
 {
     for (int box = 0; box < kBoxes; ++box) {
-        highp mat4 from_view = near_box;
-#if FAR_BOXES
-        if (box > 0) from_view = box == 1 ? middle_box : far_box;
-#endif
+        highp mat4 from_view = boxFromView(box);
         highp float edge = 1.0 / length(from_view[0].xyz);
-        voxels = Voxels(box, from_view, edge / float(RESOLUTION));
+        voxels = Voxels(box, edge / float(RESOLUTION));
         highp float off = offMiddle((from_view * vec4(point, 1.0)).xyz - 0.5);
         // A smaller one than was asked for has all that there is.
         if (edge < 0.99 * extent * usedRadius() * exp2(float(box)) && off < 0.5) return true;
@@ -72,7 +76,7 @@ const highp float kOwn = 1.2;    // more than a plane's mean, since voxels of a 
 // What a surface fills itself, along each edge, of voxels that it lies in.
 mediump vec3 ownFilling(Voxels voxels, mediump vec3 plane)
 {
-    return kOwn * abs(normalize(mat3(voxels.from_view) * plane));
+    return kOwn * abs(normalize(mat3(boxFromView(voxels.box)) * plane));
 }
 
 // What others fill of voxels of `width` at `place_over` of those over the surface.

@@ -41,7 +41,7 @@ Voxelled voxelled(March march)
     at.known = findVoxels(point, march.noise.x, at.voxels);
     at.size = at.known ? clamp(at.voxels.size / march.radius, 1e-3, 1e3) : 1e3;
     at.reach = min(usedRadius() / at.voxels.size, 2.0 * float(RESOLUTION));
-    at.place = (at.voxels.from_view * vec4(point, 1.0)).xyz;
+    at.place = (boxFromView(at.voxels.box) * vec4(point, 1.0)).xyz;
     at.own = ownFilling(at.voxels, march.plane);
     return at;
 }
@@ -94,10 +94,10 @@ mediump float blockedByVoxels(March march, Voxelled at, Side side, uint mask, in
     uint open_mask = ~mask & 0x7fffffffu;
     mediump vec2 shift = fract(vec2(3.0 * march.noise.x + 0.03125, march.noise.y) + vec2(0.4375, 0.618) * float(i));
     mediump vec2 into = wayInto(side, bitAbove(open_mask, 0.25 + 0.5 * shift.x));
-    mediump vec3 up = side.towards.y * toCamera(march.point) - side.towards.x * side.along;
+    mediump vec3 up = side.towards.y * toCamera(march.pixel) - side.towards.x * side.along;
     mediump vec3 way = into.x * side.x + into.y * up;
     mediump float height = max(dot(way, march.plane), 0.02);
-    highp vec3 step_in_box = mat3(at.voxels.from_view) * way * at.voxels.size;  // of one voxel
+    highp vec3 step_in_box = mat3(boxFromView(at.voxels.box)) * way * at.voxels.size;  // of one voxel
     mediump vec3 along = abs(step_in_box) * float(RESOLUTION);
     mediump float stride = max(at.reach - kRayFirst, 0.0) / float(kRaySteps);
     mediump float level = max(floor(log2(max(stride, 1.0) / 1.5) + 0.5), 0.0);

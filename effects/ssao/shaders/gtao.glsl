@@ -99,7 +99,7 @@ mediump float visibilityFrom(March march, bool known)
         whole += side.projected_length * side.whole;
 #ifdef BENT_NORMALS
         mediump vec2 direction = openDirection(side, horizon);
-        bent += side.projected_length * (toCamera(march.point) * direction.x + side.along * direction.y);
+        bent += side.projected_length * (toCamera(march.pixel) * direction.x + side.along * direction.y);
 #endif
     }
 #ifdef BENT_NORMALS

@@ -24,8 +24,8 @@ uniform mediump float falloff;
 mediump float weightOf(March march, mediump vec3 offset)
 {
 #if THIN_OCCLUDERS == THIN_OCCLUDERS_COUNT
-    mediump float nearer = dot(offset, toCamera(march.point));
-    offset -= toCamera(march.point) * nearer;
+    mediump float nearer = dot(offset, toCamera(march.pixel));
+    offset -= toCamera(march.pixel) * nearer;
     if (nearer < -0.7 * kFar) return 0.0;  // the background
 #endif
     mediump float share = dot(offset, offset);
@@ -61,7 +61,7 @@ mediump float lightUpTo(March march, Side side, mediump vec3 offset)
 {
     mediump float inverse = inversesqrt(max(dot(offset, offset), 1e-5));
     mediump float height = dot(offset, march.normal) * inverse / side.projected_length;
-    return lightUpToLift(side, liftOf(side, height, dot(offset, toCamera(march.point)) * inverse));
+    return lightUpToLift(side, liftOf(side, height, dot(offset, toCamera(march.pixel)) * inverse));
 }
 
 // The blocked light of one side. Off the screen the surface last seen goes on until it leaves the radius, with the mean

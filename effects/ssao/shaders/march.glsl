@@ -87,15 +87,8 @@ highp float seenReach(highp vec3 point)
 #endif
 }
 
-// The direction from a point to the camera, unit. Computed where it is read: kept, it takes registers from tap to tap.
-mediump vec3 toCamera(highp vec3 point)
-{
-#if CAMERA_ORTHOGRAPHIC
-    return vec3(0.0, 0.0, 1.0);
-#else
-    return -normalize(point);
-#endif
-}
+// The direction to the camera, unit. Computed where it is read: kept, it takes registers from tap to tap.
+mediump vec3 toCamera(highp vec2 pixel) { return normalize(rayThrough(inView(pixel))); }
 
 // A normal that leans away from the camera is bent until the cosine to it is this.
 const mediump float kLeastFacing = 0.05;
@@ -120,16 +113,18 @@ void marchOf(highp vec2 pixel, highp float share, mediump vec3 normal, mediump v
     highp vec3 point = pointOn(march, pixel, z / march.radius);
 #if CAMERA_ORTHOGRAPHIC
     march.nearness = 0.0;
+    mediump vec3 camera = vec3(0.0, 0.0, 1.0);
+    highp float facing = abs(march.plane.z);  // of the plane to the ray
 #else
     march.nearness = inversesqrt(dot(point, point));
+    mediump vec3 camera = -normalize(point);
+    highp float facing = abs(dot(march.plane, point) / min(point.z, -1e-30));
 #endif
     // Of a radius wider than the screen the screen's share.
     highp float lift = bias * wider / max(screens, 1.0);
 #if SHADING_NORMALS
-    mediump vec3 camera = toCamera(point);
     march.normal = normalize(march.normal + camera * max(kLeastFacing - dot(march.normal, camera), 0.0));
 #endif
-    highp float facing = abs(dot(march.plane, rayThrough(inView(pixel))));
     highp float rounding = shareStep(share) / march.radius * facing;
     highp float tolerance = stored_tolerance > 0.0 ? toleranceOf(stored_tolerance) * wider : 0.0;  // the least is no more
     march.point = point + march.plane * max(lift, max(rounding, tolerance));
@@ -224,7 +219,7 @@ Side sideOf(March march, int i)
     mediump float angle = kPi / float(kSlices) * (march.noise.x + float(i));
     mediump vec2 turn = vec2(cos(angle), sin(angle));
     Side side;
-    mediump vec3 camera = toCamera(march.point);
+    mediump vec3 camera = toCamera(march.pixel);
     mediump vec3 to_camera = hostFromPicture(camera);
     mediump vec3 right = normalize(vec3(max(to_camera.z, 1e-3), 0.0, -to_camera.x));
     mediump vec3 along = pictureFromHost(turn.x * right + turn.y * cross(to_camera, right));

@@ -31,7 +31,7 @@ const float kLeastOpen = 0.02;
 // CONES of equal weight by the cosine `facing`.
 float coneOpen(Voxels voxels, vec3 place, vec3 own, vec3 way, float height, float facing, float first)
 {
-    vec3 step_in_box = mat3(voxels.from_view) * way;
+    vec3 step_in_box = mat3(boxFromView(voxels.box)) * way;
     vec3 along = abs(normalize(step_in_box));
     // A cell of 1 / CONES of all weight is the solid angle pi / (CONES facing), of that of a square of this width.
     float spread = kSpread * sqrt(3.14159265 / (float(CONES) * max(facing, 0.1)));
@@ -72,7 +72,7 @@ void main()
     float turn = 6.2831853 * noise.x;
     mat3 frame = rotatedFrame(normal, vec2(cos(turn), sin(turn)));
     vec3 own = ownFilling(voxels, plane);
-    vec3 place = (voxels.from_view * vec4(point, 1.0)).xyz;
+    vec3 place = (boxFromView(voxels.box) * vec4(point, 1.0)).xyz;
     float open = 0.0;
     float known = 0.0;  // the light over the plane: below it is none
     for (int i = 0; i < CONES; ++i) {
