@@ -268,17 +268,19 @@ CameraRange rangeOf(const Camera& camera)
     return {std::min(one, other), std::max(one, other), zoom, share};
 }
 
-SceneTraits steadyTraitsOf(const Frame& frame)
+SceneTraits steadyTraitsOf(const Frame& frame, const SceneTraits* known)
 {
-    SceneTraits traits;
+    SceneTraits traits = known ? *known : SceneTraits();
     traits.lights = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
     traits.orthographic = frame.camera.orthographic();
     traits.reversed_depth = frame.camera.reversedDepth();
+    traits.turned = false;
     for (std::size_t view = 0; view <= frame.other_views.size(); ++view)
         traits.turned |= uprightTurn(cameraOf(frame, view)) != glm::dmat3(1.0);
     traits.camera = rangeOf(frame.camera);
     traits.scale = frame.scale;
     traits.views = 1 + static_cast<int>(frame.other_views.size());
+    if (known) return traits;
     for (const DrawItem& draw : frame.draws) {
         if (draw.material < 0 || draw.material >= static_cast<int>(frame.materials.size()))
             continue;

@@ -47,7 +47,8 @@ struct FrameHistory {
 CameraMatrices cameraMatrices(const Camera& camera);
 
 /// All but where draws lie, which takes as long as culling does and is of use to plans alone.
-SceneTraits steadyTraitsOf(const Frame& frame);
+/// `known`: traits of a frame with the same draws and materials, which are not looked at then.
+SceneTraits steadyTraitsOf(const Frame& frame, const SceneTraits* known = nullptr);
 
 /// Turns normals as `matrix` turns the surface they stand on: proportional to the inverse
 /// transpose, but also right for a matrix that flattens, which has none. Rotations keep lengths.

@@ -81,7 +81,13 @@ const Frame& Renderer::asHostDraws(const Frame& frame)
     };
     const bool reads_depth = anyOf(plan().imports, is_depth);
     const DepthRange range = reads_depth ? device.depthRange() : DepthRange();
-    if (control == ClipControl() && range == DepthRange()) return frame;
+    const auto has_all = [](const auto& camera) {
+        return camera.clip_control && camera.depth_range;
+    };
+    if ((control == ClipControl() && range == DepthRange()) ||
+        (has_all(frame.camera) &&
+         allOf(frame.other_views, [&](const FrameView& view) { return has_all(view.camera); })))
+        return frame;
     clipped_ = frame;
     const auto take = [&](Camera& camera) {
         if (!camera.clip_control) camera.clip_control = control;

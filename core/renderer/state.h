@@ -172,7 +172,8 @@ struct Renderer::State {
     Status prepare(const Frame& frame)
     {
         if (Status status = checkFrame(frame); !status) return status;
-        if (options.strict) {
+        const bool same_draws = execution->sameDraws(frame);
+        if (options.strict && !same_draws) {
             Diagnostics errors = warnElided(frame, *device);
             for (Diagnostic& error : errors) {
                 error.severity = Severity::error;
@@ -180,7 +181,7 @@ struct Renderer::State {
             }
             if (!errors.empty()) return errors;
         }
-        SceneTraits scene = steadyTraitsOf(frame);
+        SceneTraits scene = steadyTraitsOf(frame, same_draws ? &traits : nullptr);
         const Result<bool> holds = followScale(scene);
         if (!holds) return holds.diagnostics();
         if (*holds && scene == traits) return execution->setImports(frame);

@@ -42,21 +42,6 @@ Diagnostic otherSamples(const ImportDesc& import, const std::string& pass, int s
                        : "resolve it, or take a module that reads samples");
 }
 
-Cull otherSide(Cull cull)
-{
-    return cull == Cull::none ? cull : cull == Cull::back ? Cull::front : Cull::back;
-}
-
-// Of the triangles that a draw takes from a mesh those of sheets, as they stand once more.
-IndexRange sheetsIn(const DrawItem& item, const ObjectInfo& mesh)
-{
-    if (item.callback || !mesh.sheets || item.first % 3 != 0) return {};
-    const auto begin = std::lower_bound(mesh.sheets->begin(), mesh.sheets->end(), item.first);
-    const auto end = std::lower_bound(begin, mesh.sheets->end(), item.first + item.count);
-    const auto before = static_cast<std::uint32_t>(begin - mesh.sheets->begin());
-    return {mesh.index_count + 3 * before, static_cast<std::uint32_t>(3 * (end - begin))};
-}
-
 }  // namespace
 
 Status Execution::checkImports(const Frame& frame) const
@@ -172,7 +157,8 @@ Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
 const std::vector<char>& Execution::begin(const Frame& frame, bool all)
 {
     swapHistories();
-    const bool draws_changed = updateDraws(frame);
+    const bool same_draws = std::exchange(same_draws_, false);
+    const bool draws_changed = !same_draws && takeDraws(frame);
     placeBoxes(frame, draws_changed);
     bool camera_changed = false;
     for (std::size_t run = 0; run < runs_.size(); ++run) {
@@ -190,6 +176,11 @@ const std::vector<char>& Execution::begin(const Frame& frame, bool all)
         pass.imports_changed = false;
     }
     const std::vector<char>& chosen = cache_.choose(changed_);
+    bool drawn = false;
+    for (std::size_t run = 0; run < runs_.size(); ++run)
+        drawn = drawn || (chosen[run] && runs_[run].plan->type == PassType::draw);
+    // What the host says has not changed may still name a mesh that is gone.
+    if (same_draws && drawn) (void)takeDraws(frame);
     takeBoxes(frame, chosen);
     return chosen;
 }
@@ -452,123 +443,6 @@ TextureId Execution::output(std::string_view name, int view) const
     if (!output || view < 0 || view >= plan_.views) return {};
     return output->constant >= 0 ? constants_[output->constant].id()
                                  : targetTexture(output->target, view, swapped_);
-}
-
-/// Whether draws, materials or their contents differ from the last frame.
-bool Execution::updateDraws(const Frame& frame)
-{
-    const DrawItem no_draw;
-    const Material no_material;
-    bool changed = frame.revision != drawn_.revision;
-    drawn_.revision = frame.revision;
-    const auto take = [&changed](const auto& item, auto& taken) {
-        if (taken == item) return;
-        taken = item;
-        changed = true;
-    };
-    changed = changed || frame.draws.size() != drawn_.draws.size();
-    drawn_.draws.resize(frame.draws.size());
-    drawn_.origins.resize(frame.draws.size());
-    drawn_.sheets.resize(frame.draws.size());
-    drawn_.elided = false;
-    for (std::size_t i = 0; i < frame.draws.size(); ++i) {
-        const DrawItem& item = frame.draws[i];
-        const bool drawn = drawsSomething(item) && isDrawable(frame, item, device_);
-        drawn_.elided = drawn_.elided || (drawsSomething(item) && !drawn);
-        changed = changed || (drawn && item.callback && item.revision == 0);
-        if (drawn) {
-            const ObjectInfo mesh = device_.info(item.mesh);
-            warnings_.look(item, mesh, frame.materials[item.material]);
-            drawn_.origins[i] = mesh.origin;
-            drawn_.sheets[i] = sheetsIn(item, mesh);
-        }
-        take(drawn ? item : no_draw, drawn_.draws[i]);
-    }
-    changed = changed || frame.materials.size() != drawn_.materials.size();
-    drawn_.materials.resize(frame.materials.size());
-    for (std::size_t i = 0; i < frame.materials.size(); ++i)
-        take(isFinite(frame.materials[i]) ? frame.materials[i] : no_material, drawn_.materials[i]);
-    drawn_.elided = drawn_.elided || !isFinite(frame.ambient_light) ||
-                    !allOf(frame.lights, [](const Light& light) { return isFinite(light); });
-    return changed;
-}
-
-void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera, ViewDraws& draws)
-{
-    StateDesc state = pass.state;
-    SentDraw sent;
-    const bool culls = pass.plan->frustum_scale > 0.0f;
-    const ViewVolume volume = culls ? viewVolume(camera, pass.plan->frustum_scale) : ViewVolume();
-    const std::vector<PlacedDraw>& placed = draws.placed();
-    for (const std::size_t i : draws.drawnBy(*pass.plan)) {
-        const DrawItem& item = drawn_.draws[i];
-        if (culls && isOutside(placed[i].sphere, volume)) continue;
-        const IndexRange sheets = drawn_.sheets[i];
-        const bool sheet =
-            isSheet(item, drawn_.materials[item.material]) || sheets.count == item.count;
-        const Cull cull = sheet                ? Cull::none
-                          : placed[i].mirrored ? otherSide(pass.state.cull)
-                                               : pass.state.cull;
-        const auto set = [&](Cull side) {
-            if (side != state.cull) {
-                state.cull = side;
-                device_.setProgram(pass.program, state);
-                setTextures(pass.textures);
-                sent.material = nullptr;
-            }
-            setDraw(pass, i, draws, sent);
-        };
-        set(cull);
-        if (item.callback) {
-            values_.takeDraw(sent.values);
-            drawByHost(pass, item);
-            device_.setProgram(pass.program, state);
-            setTextures(pass.textures);
-            setUniforms(pass.uniforms);
-            sent = {};
-        } else {
-            device_.draw(item.mesh, item.first, item.count);
-            if (cull == Cull::none || sheets.count == 0) continue;
-            set(otherSide(cull));
-            device_.draw(item.mesh, sheets.first, sheets.count);
-        }
-    }
-}
-
-/// Sends the uniforms and binds the textures of a draw, but for what they are already.
-void Execution::setDraw(const PreparedPass& pass, std::size_t draw, ViewDraws& draws,
-                        SentDraw& sent)
-{
-    const Material& material = drawn_.materials[drawn_.draws[draw].material];
-    const std::uint32_t* const values = draws.values(draw, values_);
-    for (const UniformBinding& uniform : pass.draw_uniforms) {
-        const std::size_t at = uniform.offset - values_.drawOffset();
-        const std::size_t bytes = wordsOf(uniform.type, uniform.count) * sizeof *values;
-        if (!sent.values || std::memcmp(values + at, sent.values + at, bytes) != 0)
-            device_.setUniform(uniform.location, uniform.type, uniform.count, values + at);
-    }
-    for (const TextureBinding& binding : pass.material_textures) {
-        const auto map = kMaterialMaps[binding.map].texture;
-        const TextureId texture = material.*map;
-        if (sent.material && (sent.material->*map).value == texture.value) continue;
-        device_.setTexture(binding.location, binding.unit, texture ? texture : white_.id(),
-                           binding.sampling);
-    }
-    sent = {values, &material};
-}
-
-void Execution::drawByHost(const PreparedPass& pass, const DrawItem& item)
-{
-    struct Call {
-        const char* pass;
-        const DrawItem& item;
-        const ValueTable& values;
-    } call{pass.info.label, item, values_};
-    const auto draw = [](std::uint32_t program, void* data) {
-        const Call& made = *static_cast<Call*>(data);
-        made.item.callback({made.pass, program, made.values}, made.item.host);
-    };
-    device_.drawByHost(draw, &call);
 }
 
 }  // namespace crevice

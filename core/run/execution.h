@@ -43,6 +43,10 @@ public:
     /// Takes a frame's textures, of the plan's views. Errors: CV6010, CV6011; then nothing changed.
     Status setImports(const Frame& frame);
 
+    /// Whether draws, materials and lights can be drawn, and the former are those of the last
+    /// frame: by Frame::draws_revision, or else one by one. `run` takes the answer for its frame.
+    bool sameDraws(const Frame& frame);
+
     /// Draws what has changed of the plan since the last frame. Requires that `checkFrame` had
     /// nothing against the frame and that its imports were set. What cannot be drawn of it is left
     /// out with a warning CV6011. Errors: CV6004 and then nothing changed, CV6005, CV6009, CV6016.
@@ -184,8 +188,9 @@ private:
     void setTextures(const std::vector<TextureBinding>& textures);
     void setUniforms(const std::vector<UniformBinding>& uniforms);
 
-    // execution.cpp, draws
-    bool updateDraws(const Frame& frame);
+    // execution_draws.cpp
+    bool takeDraws(const Frame& frame);
+    bool takeDraw(const Frame& frame, std::size_t index);
     void runDraws(const PreparedPass& pass, const CameraMatrices& camera, ViewDraws& draws);
     void setDraw(const PreparedPass& pass, std::size_t draw, ViewDraws& draws, SentDraw& sent);
     void drawByHost(const PreparedPass& pass, const DrawItem& item);
@@ -202,8 +207,9 @@ private:
     DrawnList drawn_;  // what draw passes drew last
     ViewDraws view_draws_{drawn_};
     DrawWarnings warnings_{plan_};
-    bool swapped_ = false;    // whether histories and their targets have changed places
-    bool remembers_ = false;  // whether histories hold anything
+    bool same_draws_ = false;  // those of the frame to be run
+    bool swapped_ = false;     // whether histories and their targets have changed places
+    bool remembers_ = false;   // whether histories hold anything
     std::vector<std::string> compiled_;
 
     // Destroyed from the last to the first: framebuffers before the textures that they draw into.

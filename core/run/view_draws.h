@@ -19,8 +19,9 @@ struct DrawnList {
     std::vector<DrawItem> draws;
     std::vector<MeshOrigin> origins;  ///< Of the draws' meshes.
     std::vector<Material> materials;
-    std::uint64_t revision = 0;
-    bool elided = false;                  ///< Something of the frame.
+    std::uint64_t revision = 0, draws_revision = 0;  ///< Of the frame.
+    bool elided = false;                             ///< Something of the frame.
+    bool steady = false;  ///< Taken, all of it, and no callback draws something else each time.
     std::vector<IndexRange> sheets = {};  ///< Of the draws, what they draw once more.
 };
 

@@ -90,6 +90,7 @@ Status setDraws(crevice_effect& effect, const crevice_draw* draws, int count)
     frame.draws.reserve(size);  // what may throw comes before what changes
     scene.draws.reserve(size);
     bool changed = size != scene.draws.size();
+    ++frame.draws_revision;
     frame.draws.resize(size);
     scene.draws.resize(size);
     const auto put = [&](std::size_t i, const crevice_draw& draw) {

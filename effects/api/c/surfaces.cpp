@@ -103,6 +103,7 @@ Status setMaterials(crevice_effect& effect, const crevice_material* materials, i
     const auto size = static_cast<std::size_t>(count);
     frame.materials.reserve(std::max<std::size_t>(size, 1));  // what may throw comes first
     hosts.reserve(size);
+    ++frame.draws_revision;
     frame.materials.assign(std::max<std::size_t>(size, 1), Material());
     hosts.resize(size);
     for (NewMap& each : maps) hosts[each.material].maps[each.map] = std::move(each.made);

@@ -5,6 +5,7 @@
 #include "tests/support/need.h"
 #include "tests/support/plan_rig.h"
 #include "tests/support/renderer_rig.h"
+#include "tools/render/device/forwarding_device.h"
 
 #include <functional>
 
@@ -58,6 +59,13 @@ struct Cached {
     PassCache cache;
 };
 
+/// Counts what it is asked of meshes and textures.
+struct AskedDevice : ForwardingDevice {
+    using ForwardingDevice::ForwardingDevice;
+    ObjectInfo info(ObjectId id) const override { return ++asked, ForwardingDevice::info(id); }
+    mutable int asked = 0;
+};
+
 /// Of a target that shares its texture with none of format r8.
 const char* const kOwn = R"({"format": ["rgba8"]})";
 
@@ -97,6 +105,60 @@ TEST_CASE("Another camera, draw or material, or other contents of them, runs all
     CHECK(after([](Frame& frame) { frame.materials[0].ambient = 0.25f; }) == kAll);
     CHECK(after([](Frame& frame) { ++frame.revision; }) == kAll);
     CHECK(after([](Frame&) {}).empty());
+}
+
+TEST_CASE("Draws of a frame that is like the last one are not asked for")
+{
+    Rig rig;
+    AskedDevice device(rig.device);
+    rig.frame.draws.resize(100, rig.frame.draws[0]);
+    rig.renderer = rig.make(device);
+    rig.frame.draws_revision = GENERATE(0u, 1u);
+    rig.draw();
+    CHECK(device.asked >= 100);
+    for (int i = 0; i < 3; ++i) {
+        device.asked = 0;
+        CHECK(passesOf(rig).empty());
+        CHECK(device.asked < 10);
+    }
+    rig.frame.draws[7].count = 0;
+    CHECK(passesOf(rig) == (rig.frame.draws_revision == 0 ? kAll : ""));
+    rig.renderer.reset();  // before its device
+}
+
+TEST_CASE("Draws and materials are taken again when their revision, or that of what they name, is")
+{
+    Rig rig;
+    rig.frame.draws_revision = 1;
+    rig.draw();
+    rig.frame.materials[0].base_color.y = 0.5f;
+    CHECK(passesOf(rig).empty());
+    rig.frame.draws_revision = 2;
+    CHECK(passesOf(rig) == kAll);
+    CHECK(passesOf(rig).empty());
+    rig.frame.draws_revision = 0;
+    CHECK(passesOf(rig).empty());
+    rig.frame.draws_revision = 2;
+    CHECK(passesOf(rig).empty());
+    ++rig.frame.revision;
+    CHECK(passesOf(rig) == kAll);
+    rig.frame.materials.resize(2);
+    CHECK(passesOf(rig) == kAll);
+    rig.frame.draws[0].callback = [](const DrawCall&, void*) {};
+    rig.frame.draws_revision = 3;
+    for (int i = 0; i < 3; ++i) CHECK(passesOf(rig) == kAll);
+}
+
+TEST_CASE("A mesh that is gone is not drawn under the same revision of the draws")
+{
+    Rig rig;
+    rig.frame.draws_revision = 1;
+    rig.draw();
+    rig.device.destroy(rig.mesh);
+    CHECK(passesOf(rig).empty());
+    rig.frame.camera.view_from_world[3][0] = 1;
+    CHECK(passesOf(rig) == kAll);
+    CHECK_FALSE(rig.logged("draw cube"));
 }
 
 TEST_CASE(

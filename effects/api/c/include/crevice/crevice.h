@@ -482,7 +482,8 @@ typedef struct crevice_draw {
 } crevice_draw;
 
 /// What is drawn: all draws of the scene, instead of those of before. Null and 0 draw nothing.
-/// Cheap enough for each frame: allocates only where there are more than ever before.
+/// Cheap enough for each frame: allocates only where there are more than ever before. A frame
+/// without a call looks at none of them until a pass draws them again.
 ///
 /// Errors: CV6011 for a draw with neither mesh nor callback, with a mesh of another device, or with
 /// indices past the mesh's. What no shader can draw, such as a matrix that is not finite or a
