@@ -67,6 +67,8 @@ std::vector<std::uint32_t> surfacesOf(const MeshDesc& mesh,
                                       std::vector<double>& areas)
 {
     std::vector<std::uint32_t> surfaces, numbers(mesh.vertices.size(), kNoSurface);
+    surfaces.reserve(mesh.indices.size() / 3);
+    areas.reserve(mesh.indices.size() / 3);
     Groups groups(mesh.vertices.size());
     const auto place = [&](std::size_t corner) { return positions[mesh.indices[corner]]; };
     for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
@@ -125,13 +127,27 @@ std::uint32_t Groups::find(std::uint32_t each)
 
 std::vector<MeshEdge> sortedEdges(const std::vector<std::uint32_t>& positions)
 {
-    std::vector<MeshEdge> edges;
-    edges.reserve(positions.size());
+    const auto edgeAt = [&](std::uint32_t corner) -> MeshEdge {
+        return {std::minmax(positions[corner], positions[nextCorner(corner)]), corner};
+    };
+    // First by the lesser end: where its edges begin, and after they are placed, where they end.
+    std::vector<std::uint32_t> at;
     for (std::uint32_t corner = 0; corner < positions.size(); ++corner) {
-        const std::uint64_t a = positions[corner], b = positions[nextCorner(corner)];
-        edges.push_back({std::min(a, b) << 32 | std::max(a, b), corner});
+        const std::size_t end = edgeAt(corner).ends.first;
+        if (at.size() < end + 2) at.resize(end + 2);
+        ++at[end + 1];
     }
-    std::sort(edges.begin(), edges.end());
+    std::partial_sum(at.begin(), at.end(), at.begin());
+    std::vector<MeshEdge> edges(positions.size());
+    for (std::uint32_t corner = 0; corner < positions.size(); ++corner) {
+        const MeshEdge edge = edgeAt(corner);
+        edges[at[edge.ends.first]++] = edge;
+    }
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : at) {
+        std::sort(edges.begin() + begin, edges.begin() + end);
+        begin = end;
+    }
     return edges;
 }
 
@@ -148,6 +164,8 @@ std::vector<std::uint32_t> sheetsOf(const MeshDesc& mesh)
     const std::vector<std::uint32_t> numbers = surfacesOf(mesh, positions, areas);
     // Triangles without area, such as those at poles, are no part of a surface.
     std::vector<std::uint32_t> corners, firsts;
+    corners.reserve(mesh.indices.size());
+    firsts.reserve(numbers.size());
     std::vector<Surface> surfaces;
     for (std::uint32_t k = 0; k < numbers.size(); ++k) {
         if (numbers[k] == kNoSurface) continue;

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> surfacesOf(const MeshDesc& mesh);
 
 /// A triangle's edge, by the positions of its ends, and the corner that it begins at.
 struct MeshEdge {
-    std::uint64_t ends;
+    std::pair<std::uint32_t, std::uint32_t> ends;  ///< The lesser first.
     std::uint32_t corner;
 
     bool operator<(const MeshEdge& other) const

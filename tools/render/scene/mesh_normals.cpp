@@ -58,30 +58,19 @@ glm::dvec3 unit(const glm::dvec3& vector)
     return length > 0.0 ? vector / length : glm::dvec3(0.0);
 }
 
-void separateVertices(MeshDesc& mesh)
+// Of each corner, by number.
+std::vector<std::uint32_t> positionsOf(const MeshDesc& mesh)
 {
-    std::vector<Vertex> corners;
-    corners.reserve(mesh.indices.size());
-    for (const std::uint32_t index : mesh.indices) corners.push_back(mesh.vertices[index]);
-    mesh.vertices = std::move(corners);
-    std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
-}
-
-std::vector<glm::dvec3> faceNormals(const std::vector<Vertex>& corners)
-{
-    std::vector<glm::dvec3> normals;
-    normals.reserve(corners.size() / 3);
-    for (std::size_t first = 0; first + 2 < corners.size(); first += 3)
-        normals.push_back(unit(areaOf(corners[first], corners[first + 1], corners[first + 2])));
-    return normals;
+    std::vector<std::uint32_t> positions = mesh.indices;
+    const std::vector<std::uint32_t> first = firstEqual(mesh.vertices, sizeof(Vertex::position));
+    for (std::uint32_t& each : positions) each = first[each];
+    return positions;
 }
 
 // Of triangles: those that share an edge with one other, and pass along it in opposite directions.
 Groups woundAlike(const MeshDesc& mesh)
 {
-    std::vector<std::uint32_t> positions = mesh.indices;
-    const std::vector<std::uint32_t> first = firstEqual(mesh.vertices, sizeof(Vertex::position));
-    for (std::uint32_t& each : positions) each = first[each];
+    const std::vector<std::uint32_t> positions = positionsOf(mesh);
     const std::vector<MeshEdge> edges = sortedEdges(positions);
     Groups groups(positions.size() / 3);
     for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
@@ -92,9 +81,11 @@ Groups woundAlike(const MeshDesc& mesh)
     return groups;
 }
 
-Groups smoothGroups(const std::vector<std::uint32_t>& positions,
-                    const std::vector<glm::dvec3>& normals, double least_cosine)
+// Of corners: those at one place, of faces that join smoothly there.
+Groups smoothGroups(const MeshDesc& mesh, const std::vector<glm::dvec3>& normals,
+                    double least_cosine)
 {
+    const std::vector<std::uint32_t> positions = positionsOf(mesh);
     Groups groups(positions.size());
     const std::vector<MeshEdge> edges = sortedEdges(positions);
     for (std::size_t k = 1; k < edges.size(); ++k) {
@@ -109,12 +100,14 @@ Groups smoothGroups(const std::vector<std::uint32_t>& positions,
 }
 
 // Between the two edges of the triangle that meet at the corner.
-double cornerAngle(const std::vector<Vertex>& corners, std::uint32_t corner)
+double cornerAngle(const MeshDesc& mesh, std::uint32_t corner)
 {
+    const auto place = [&](std::uint32_t of) {
+        return positionOf(mesh.vertices[mesh.indices[of]]);
+    };
     const std::uint32_t next = nextCorner(corner);
-    const glm::dvec3 at = positionOf(corners[corner]);
-    const double cosine = glm::dot(unit(positionOf(corners[next]) - at),
-                                   unit(positionOf(corners[nextCorner(next)]) - at));
+    const glm::dvec3 at = place(corner);
+    const double cosine = glm::dot(unit(place(next) - at), unit(place(nextCorner(next)) - at));
     return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
@@ -122,21 +115,43 @@ double cornerAngle(const std::vector<Vertex>& corners, std::uint32_t corner)
 
 void smoothNormals(MeshDesc& mesh, double crease_degrees)
 {
-    separateVertices(mesh);
-    const std::vector<glm::dvec3> normals = faceNormals(mesh.vertices);
-    const std::vector<std::uint32_t> positions =
-        firstEqual(mesh.vertices, sizeof(Vertex::position));
-    Groups groups = smoothGroups(positions, normals, std::cos(crease_degrees * kDegreeInRadians));
-    std::vector<glm::dvec3> sums(mesh.vertices.size(), glm::dvec3(0.0));
-    for (std::uint32_t corner = 0; corner < sums.size(); ++corner)
-        sums[groups.find(corner)] += normals[corner / 3] * cornerAngle(mesh.vertices, corner);
-    for (std::uint32_t corner = 0; corner < sums.size(); ++corner)
-        setNormal(mesh.vertices[corner], unit(sums[groups.find(corner)]));
+    mesh.indices.resize(mesh.indices.size() / 3 * 3);
+    const auto corners = static_cast<std::uint32_t>(mesh.indices.size());
+    std::vector<glm::dvec3> normals(corners / 3);
+    for (std::size_t k = 0; k < normals.size(); ++k) normals[k] = unit(areaOf(mesh, k));
+    Groups groups = smoothGroups(mesh, normals, std::cos(crease_degrees * kDegreeInRadians));
+    struct Sum {
+        glm::dvec3 normal = glm::dvec3(0.0);
+        std::uint32_t from = kNone, made = kNone;  // the group's last vertex
+    };
+    std::uint32_t count = 0;
+    std::vector<std::uint32_t> numbers(corners, kNone);
+    for (std::uint32_t corner = 0; corner < corners; ++corner) {
+        std::uint32_t& number = numbers[groups.find(corner)];
+        if (number == kNone) number = count++;
+    }
+    std::vector<Sum> sums(count);
+    for (std::uint32_t corner = 0; corner < corners; ++corner)
+        sums[numbers[groups.find(corner)]].normal +=
+            normals[corner / 3] * cornerAngle(mesh, corner);
+    std::vector<Vertex> vertices;
+    vertices.reserve(mesh.vertices.size());
+    for (std::uint32_t corner = 0; corner < corners; ++corner) {
+        Sum& sum = sums[numbers[groups.find(corner)]];
+        std::uint32_t& index = mesh.indices[corner];
+        if (sum.from != index) {
+            sum.from = index;
+            sum.made = static_cast<std::uint32_t>(vertices.size());
+            setNormal(vertices.emplace_back(mesh.vertices[index]), unit(sum.normal));
+        }
+        index = sum.made;
+    }
+    mesh.vertices = std::move(vertices);
 }
 
 void windByNormals(MeshDesc& mesh)
 {
-    std::vector<double> facing(mesh.indices.size() / 3), sums(facing.size());
+    std::vector<double> facing(mesh.indices.size() / 3);
     double largest = 0;
     for (std::size_t k = 0; k < facing.size(); ++k) {
         const std::uint32_t* const at = &mesh.indices[3 * k];
@@ -148,6 +163,7 @@ void windByNormals(MeshDesc& mesh)
     const auto against = [&](double each) { return each < -kNoArea * largest; };
     if (std::none_of(facing.begin(), facing.end(), against)) return;
     Groups groups = woundAlike(mesh);
+    std::vector<double> sums(facing.size());
     for (std::uint32_t k = 0; k < facing.size(); ++k) sums[groups.find(k)] += facing[k];
     for (std::uint32_t k = 0; k < facing.size(); ++k)
         if (sums[groups.find(k)] < 0) std::swap(mesh.indices[3 * k + 1], mesh.indices[3 * k + 2]);
@@ -194,6 +210,7 @@ void joinVertices(MeshDesc& mesh)
     const std::vector<std::uint32_t> first = firstEqual(mesh.vertices, sizeof(Vertex));
     std::vector<std::uint32_t> place(mesh.vertices.size(), kNone);
     std::vector<Vertex> joined;
+    joined.reserve(mesh.vertices.size());
     for (std::uint32_t& index : mesh.indices) {
         const std::uint32_t vertex = first[index];
         if (place[vertex] == kNone) {

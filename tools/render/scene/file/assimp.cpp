@@ -316,8 +316,10 @@ Result<ReadScene> readByAssimp(const std::string& path, const ImportOptions& opt
         left_out.shape.insert("its materials, since there is no file '" + lacking + "'");
     std::vector<int> materials;
     for (unsigned index = 0; index < from->mNumMeshes; ++index) {
-        const aiMesh& each = *from->mMeshes[index];
+        aiMesh& each = *from->mMeshes[index];
         MeshDesc mesh = meshFrom(each);
+        delete[] std::exchange(each.mFaces, nullptr);  // as large as all else
+        each.mNumFaces = 0;
         // Two programs mean opposite things by the bit that says which facets have colours.
         const bool facets = lowerExtension(path) == ".stl" && each.HasVertexColors(0);
         if (facets) left_out.look.insert("colours of facets");

@@ -96,7 +96,7 @@ struct Primitive {
 };
 
 // Three corners for each, whatever the mode.
-std::vector<std::uint32_t> triangles(const std::vector<std::uint32_t>& in, int mode)
+std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> in, int mode)
 {
     if (mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN) return in;
     std::vector<std::uint32_t> out;
@@ -194,7 +194,10 @@ std::optional<GltfMesh> gltfMesh(const GltfFile& file, int mesh_index, int primi
         setVertex(mesh.vertices[k], &positions[3 * k],
                   normals.size() >= 3 * (k + 1) ? &normals[3 * k] : nullptr);
     setCoordinates(primitive, materials.coordinates(from.material).value_or(Coordinates()), mesh);
+    const bool has_normals = !normals.empty();
+    for (std::vector<float>* done : {&positions, &normals}) std::vector<float>().swap(*done);
     const auto all = triangles(primitive.indices(mesh.vertices.size()), from.mode);
+    mesh.indices.reserve(all.size());
     for (std::size_t k = 0; k + 2 < all.size(); k += 3) {
         const bool whole = std::all_of(&all[k], &all[k] + 3,
                                        [&](std::uint32_t corner) { return usable(mesh, corner); });
@@ -204,7 +207,7 @@ std::optional<GltfMesh> gltfMesh(const GltfFile& file, int mesh_index, int primi
     std::vector<float> colors = primitive.numbers("COLOR_0", 4);
     colors.resize(colors.empty() || mesh.indices.empty() ? 0 : 4 * mesh.vertices.size(), 1.0f);
     made.material = materials.materialFor(from.material, std::move(colors), mesh);
-    made.turned = finishMesh(mesh, !normals.empty(), kGltfCreaseDegrees);
+    made.turned = finishMesh(mesh, has_normals, kGltfCreaseDegrees);
     return made;
 }
 
