@@ -168,6 +168,10 @@ RULES = [
      lambda source: [body.count('\n') for body in re.findall(r'^\{\n(.*?)^\}', source.code, re.M | re.S)
                      if body.count('\n') > 40], 'backends/gl/caps.cpp',
      [('core/x.cpp', 'int f()\n{' + 42 * '\n' + '}')]),
+    ('beside a depth a colour has four channels: on fewer Mesa 22.3 for Mali crashes', 'effects configs',
+     lambda source: 'gl_FragDepth' in source.text and
+     re.search(r'^(?:layout[^;]*\) )?out (?:\w+ )?(?:float|vec[23]) \w+;', source.text, re.M), (),
+     [('effects/x.frag', 'layout(location = 0) out float ao;\nvoid main() { gl_FragDepth = ao = 1.0; }')]),
     ('sources have the licence line', 'core backends effects configs tools tests', unlicensed, (),
      [('core/x.cpp', '#include <vector>\n'), ('tests/CMakeLists.txt', '# tests\n')]),
 ]

@@ -217,8 +217,8 @@ struct Frame {
     /// To be changed when a mesh, or a material's texture, that was drawn before holds something
     /// else now: ids of what was destroyed are given out again.
     std::uint64_t revision = 0;
-    /// A number that changes whenever `draws` or `materials` do: while it stays, they are not looked
-    /// at until a pass draws them again. 0: they are compared in each frame.
+    /// A number that changes whenever `draws` or `materials` do: while it stays, they are not
+    /// looked at until a pass draws them again. 0: they are compared in each frame.
     std::uint64_t draws_revision = 0;
     bool camera_cut = false;  ///< The last frame no longer applies: histories are cleared.
     /// How far the world's origin has moved since the last frame, in scene units: what was at p is
