@@ -46,17 +46,16 @@ const mediump vec2 kGuessed = vec2(1.0, 3.0);
 // Both ends are rounded: 0.0423 and 0.0242. Rounded down and up, about as in the authors' code, 0.0476 and 0.0303.
 uint maskBetween(mediump float least, mediump float most)
 {
+    // Written inline, the literal would take the precision of what it is shifted by: 16 bits of the mask.
     highp uint begin = uint(least + 0.5);
     highp uint end = uint(most + 0.5);
     return (1u << end) - (1u << begin);
 }
 
+// In either order.
 uint maskOf(mediump float first, mediump float last)
 {
-    // Written inline, the literal would take the precision of what it is shifted by: 16 bits of the mask.
-    highp uint begin = uint(min(first, last) + 0.5);
-    highp uint end = uint(max(first, last) + 0.5);
-    return (1u << end) - (1u << begin);
+    return maskBetween(min(first, last), max(first, last));
 }
 
 // How much of what lies between two neighbouring taps is filled: half of a gap in depth, from the nearer one's back on,
@@ -121,8 +120,8 @@ mediump float lengthOf(mediump float stored)
 }
 #endif
 
-// The sectors blocked by the first things that taps see, or with `second` by those behind them: one march each, for both
-// at once take more registers than phones have.
+// `blocked` and the sectors blocked by the first things that taps see, or with `second` by those behind them: one march
+// each, for both at once take more registers than phones have.
 uint blockedOn(March march, Side side, bool second, mediump float voxel, uint blocked)
 {
     highp float place = 0.0;

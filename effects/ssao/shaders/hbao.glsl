@@ -21,11 +21,11 @@ uniform mediump float angle_bias;
 uniform mediump float falloff;
 
 // How much what lies at an offset counts, 0..1. 1 - d^2 / R^2 with falloff 1, as in NVIDIA's sample gl_ssao.
-mediump float weightOf(March march, mediump vec3 offset)
+mediump float weightOf(mediump vec3 camera, mediump vec3 offset)
 {
 #if THIN_OCCLUDERS == THIN_OCCLUDERS_COUNT
-    mediump float nearer = dot(offset, toCamera(march.pixel));
-    offset -= toCamera(march.pixel) * nearer;
+    mediump float nearer = dot(offset, camera);
+    offset -= camera * nearer;
     if (nearer < -0.7 * kFar) return 0.0;  // the background
 #endif
     mediump float share = dot(offset, offset);
@@ -57,11 +57,11 @@ mediump float lightUpToLift(Side side, mediump float lift)
 }
 
 // The light of a side between its surface and where an offset leads.
-mediump float lightUpTo(March march, Side side, mediump vec3 offset)
+mediump float lightUpTo(March march, mediump vec3 camera, Side side, mediump vec3 offset)
 {
     mediump float inverse = inversesqrt(max(dot(offset, offset), 1e-5));
     mediump float height = dot(offset, march.normal) * inverse / side.projected_length;
-    return lightUpToLift(side, liftOf(side, height, dot(offset, toCamera(march.pixel)) * inverse));
+    return lightUpToLift(side, liftOf(side, height, dot(offset, camera) * inverse));
 }
 
 // The blocked light of one side. Off the screen the surface last seen goes on until it leaves the radius, with the mean
@@ -74,12 +74,13 @@ mediump float blockedOn(March march, Side side, mediump float least_lift, int st
     mediump float weight = 0.0;
     mediump vec3 before = vec3(0.0);
     mediump vec3 way = vec3(0.0);
+    mediump vec3 camera = toCamera(march.pixel);
     highp vec2 at = side.first;
     for (int i = 0; i < steps; ++i) {
         mediump vec3 offset = offsetAt(march, texelOf(march, at - march.pixel));
         at += side.step;
-        weight = weightOf(march, offset);
-        mediump float higher = max(lightUpTo(march, side, offset) - below, 0.0);
+        weight = weightOf(camera, offset);
+        mediump float higher = max(lightUpTo(march, camera, side, offset) - below, 0.0);
         blocked += weight * higher;
         below += weight > 0.0 ? higher : 0.0;
         way = dot(before, before) < 1.0 ? offset - before : vec3(0.0);
@@ -91,7 +92,7 @@ mediump float blockedOn(March march, Side side, mediump float least_lift, int st
         mediump float b = dot(before, way);
         mediump float leaves = (sqrt(max(b * b - a * (near - 1.0), 0.0)) - b) / a;
         mediump vec3 end = before + way * max(leaves, 0.0);
-        blocked += 0.5 * (weight + 1.0 - falloff) * max(lightUpTo(march, side, end) - below, 0.0);
+        blocked += 0.5 * (weight + 1.0 - falloff) * max(lightUpTo(march, camera, side, end) - below, 0.0);
     }
     return blocked;
 }

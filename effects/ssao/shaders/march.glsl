@@ -113,18 +113,16 @@ void marchOf(highp vec2 pixel, highp float share, mediump vec3 normal, mediump v
     highp vec3 point = pointOn(march, pixel, z / march.radius);
 #if CAMERA_ORTHOGRAPHIC
     march.nearness = 0.0;
-    mediump vec3 camera = vec3(0.0, 0.0, 1.0);
-    highp float facing = abs(march.plane.z);  // of the plane to the ray
 #else
     march.nearness = inversesqrt(dot(point, point));
-    mediump vec3 camera = -normalize(point);
-    highp float facing = abs(dot(march.plane, point) / min(point.z, -1e-30));
 #endif
     // Of a radius wider than the screen the screen's share.
     highp float lift = bias * wider / max(screens, 1.0);
 #if SHADING_NORMALS
+    mediump vec3 camera = toCamera(pixel);
     march.normal = normalize(march.normal + camera * max(kLeastFacing - dot(march.normal, camera), 0.0));
 #endif
+    highp float facing = abs(dot(march.plane, rayThrough(inView(pixel))));
     highp float rounding = shareStep(share) / march.radius * facing;
     highp float tolerance = stored_tolerance > 0.0 ? toleranceOf(stored_tolerance) * wider : 0.0;  // the least is no more
     march.point = point + march.plane * max(lift, max(rounding, tolerance));
@@ -275,9 +273,10 @@ highp float placeOf(March march, Side side, int i)
     return min(max(even * mix(closer, 1.0, even), side.pixel * float(i + 1)), 1.0);
 }
 
-// The texel that a tap a `way` from the pixel reads. Far off only every fourth row is read, the next towards the middle of the
-// picture: a quarter of the memory, which caches hold. At 1920x1080 on a CPU, radius 10 in the room, the pass takes
-// 204 ms in balanced, with all rows 289; rmse changes by 1 % or less.
+// The texel that a tap reads that lies a `way` from the pixel. Far off only every fourth row is read, the next towards
+// the middle of the picture: a quarter of the memory, which caches hold. At 1920x1080 on a CPU, radius 10 in the room,
+// the pass takes 204 ms in balanced, with all rows 289; rmse changes by 1 % or less. Pixels marched for themselves are
+// too few for that.
 highp vec2 texelOf(March march, highp vec2 way)
 {
     highp vec2 texel = floor(march.pixel + way);
