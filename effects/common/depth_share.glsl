@@ -75,3 +75,13 @@ highp float shareOfDigits(highp vec3 digits)
 {
     return dot(digits, 1.0 / kDigits);
 }
+
+// The same with a mark in the last bit, and whether it is there.
+highp vec3 markedDigits(highp float share, bool mark)
+{
+    highp vec3 digits = digitsOfShare(share);
+    digits.z = (2.0 * floor(127.0 * digits.z + 0.5) + (mark ? 1.0 : 0.0)) / 255.0;
+    return digits;
+}
+
+bool isMarked(highp vec3 digits) { return fract(127.5 * digits.z + 0.25) > 0.5; }

@@ -6,7 +6,7 @@
 //   source_depth   without PACKED: depth as a share, with the guard band
 //   source_normal  normals, with the guard band
 //   ao_filtered    the weighted mean; unchanged in the background and where no neighbour counts. With PACKS its depth
-//                  beside it
+//                  beside it; with MARKS_FLAT marked where the square to the right and above is one plane
 //   AXIS           vec2(1.0, 0.0) or vec2(0.0, 1.0)
 //
 // Five taps, the outer ones by half: on a plane each of four neighbouring columns counts alike, so that noise which
@@ -72,7 +72,11 @@ void main()
     float slope = (dot(placed, values) - middle * mean) / (dot(placed, kPlaces) - middle * middle + kUnevenness);
     float steepest = kSteepest * wayAlong(vec2(axis), here.y, own) / max(radius, 1e-20);
     mean = clamp(mean - middle * clamp(slope, -steepest, steepest), 0.0, 1.0);
-#if PACKS
+#if MARKS_FLAT
+    vec3 square = vec3(valueAt(pixel + ivec2(1, 0), band).y, valueAt(pixel + ivec2(0, 1), band).y,
+                       valueAt(pixel + 1, band).y);
+    ao_filtered = vec4(mean, markedDigits(here.y, isFlat(here.y, square, own)));
+#elif PACKS
     ao_filtered = vec4(mean, digitsOfShare(here.y));
 #else
     ao_filtered = mean;

@@ -30,8 +30,8 @@ highp float lengthPerShare(highp float share)
     highp float kept = clamp(min(share, 1.0 - share), kFarthestShare, 0.5);
     return 0.5 * depthUnit() / (kept * kept);
 #else
-    highp float kept = max(share, kFarthestShare);
-    return depthUnit() / (kept * kept);
+    highp float inverse = 1.0 / max(share, kFarthestShare);
+    return depthUnit() * inverse * inverse;
 #endif
 }
 
@@ -43,6 +43,21 @@ highp vec4 cutsOf(highp vec4 off, highp float noise, highp vec4 per_way)
     highp float cut = depth_cut > 0.0 ? depth_cut : 0.05;
     highp vec4 slopes = max(off - noise, 0.0) * per_way;
     return min(off / max(cut * radius, 1e-20) + slopes / slope_cut, 1e4);
+}
+
+// Below that many cuts a neighbour counts so much that its weight need not be known.
+const highp float kFlat = 0.3;
+
+// Whether the pixels of `shares`, to the right, above and both, lie so near the plane of a pixel; not in the background.
+bool isFlat(highp float share, highp vec3 shares, mediump vec4 stored)
+{
+    highp float facing = dot(normalOf(stored), rayThrough(gl_FragCoord.xy));
+    highp vec2 size = pixelSize(share);
+    highp vec2 rise = normalOf(stored).xy * size;
+    highp vec3 off = abs(facing * (shares - share) * lengthPerShare(share) + vec3(rise, rise.x + rise.y));
+    highp float noise = 4.0 * toleranceOf(stored.a) * radius;
+    highp float most = max(max(off.x, off.y), off.z);
+    return share > 0.0 && cutsOf(vec4(most), noise, vec4(1.0 / max(size.x, 1e-20))).x < kFlat;
 }
 
 // How far it is on the plane from a pixel to the next along an axis, in scene units.

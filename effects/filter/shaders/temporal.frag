@@ -4,8 +4,8 @@
 // camera then saw it, and the new value joins it.
 //
 //   surface              interface: points
-//   source_depth         with FROM_SOURCE: in its place, as filters of fewer pixels compare it
-//   ao                   this frame's occlusion; what is not in 0..1 is dropped
+//   ao                   this frame's occlusion; what is not in 0..1 is dropped. With PACKED in gba the digits of its
+//                        share of depth, marked or not, in place of the surface
 //   ao_filtered_history  the mean up to the last frame
 //   ao_depth_history     where that was: rgb the digits of its share of depth, a the frames in the mean, over 255
 //   ao_cycle_history     the pixel's `ao` when a cycle of noise last began
@@ -24,9 +24,7 @@ precision highp int;
 #include "common/noise_cycle.glsl"
 #include "common/view_space.glsl"
 #include "common/depth_share.glsl"
-#ifdef FROM_SOURCE
-uniform highp sampler2D source_depth;
-#else
+#ifndef PACKED
 #include <surface>
 #endif
 
@@ -36,7 +34,7 @@ uniform highp float history_valid;
 uniform highp float history_frames;
 uniform highp float history_cut;
 uniform highp int frame_index;
-uniform mediump sampler2D ao;
+uniform highp sampler2D ao;
 uniform mediump sampler2D ao_filtered_history;
 uniform highp sampler2D ao_depth_history;
 uniform mediump sampler2D ao_cycle_history;
@@ -122,22 +120,26 @@ vec2 rangeAround(float now)
     return vec2(sum.x, kClampWidth * sqrt(max(sum.y - sum.x * sum.x, 0.0)));
 }
 
-#ifdef FROM_SOURCE
-bool pointHere(out vec3 point)
+// And the digits of its share of depth.
+bool pointHere(out vec3 point, out vec3 digits)
 {
-    ivec2 band = (textureSize(source_depth, 0) - textureSize(ao, 0)) / 2;
-    float share = texelFetch(source_depth, ivec2(gl_FragCoord.xy) + band, 0).r;
+#ifdef PACKED
+    digits = texelFetch(ao, ivec2(gl_FragCoord.xy), 0).gba;
+    float share = shareOfDigits(digits);
     point = viewFromDepth(uv, zOfShare(max(share, kFarthestShare), depthUnit()));
     return share > 0.0;
-}
 #else
-bool pointHere(out vec3 point) { return viewPosition(uv, point); }
+    bool known = viewPosition(uv, point);
+    digits = known ? digitsOfShare(shareOfZ(point.z, depthUnit())) : vec3(0.0);
+    return known;
 #endif
+}
 
 void main()
 {
     vec3 point;
-    bool known = pointHere(point);
+    vec3 digits;
+    bool known = pointHere(point, digits);
     bool still = false;
     float slope = fwidth(known ? point.z : 0.0);
     vec2 history = known ? historyOf(point, slope, still) : vec2(0.0);
@@ -163,7 +165,7 @@ void main()
     float weight = settled ? 1.0 : earlier / (earlier + 1.0);
     ao_filtered = frames > 0.0 ? mix(now, history.x, weight) : now;
     float counted = min(frames + (usable ? 1.0 : 0.0), history_frames);
-    ao_depth = vec4(known ? digitsOfShare(shareOfZ(point.z, depthUnit())) : vec3(0.0), known ? counted / kMostFrames : 0.0);
+    ao_depth = vec4(digits, known ? counted / kMostFrames : 0.0);
     // What a moving camera has gathered is no mean to stand still: nothing is like its noise.
     ao_cycle = still ? (begins ? now : cycle) : 1.0 - step(0.5, now);
 }

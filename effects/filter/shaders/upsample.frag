@@ -35,60 +35,44 @@ const float kMinWeight = 0.03;
 // Share of its neighbours' weights on the screen below which a pixel has none.
 const float kMissing = 0.2;
 
-// Occlusion, and the share of depth.
-vec2 valueAt(ivec2 texel)
-{
-    vec4 stored = texelFetch(ao_low, texel, 0);
-#ifdef DEPTH_APART
-    return vec2(stored.r, shareOfDigits(texelFetch(low_depth, texel, 0).rgb));
-#else
-    return vec2(stored.r, shareOfDigits(stored.gba));
-#endif
-}
-
 void main()
 {
     float z = viewZAt(uv);
-#ifdef MARKS_MISSING
-    gl_FragDepth = 0.0;
-#endif
-    if (z <= kBackgroundZ) {
-        ao_filtered = vec4(1.0);
-        return;
-    }
-    ivec2 size = textureSize(ao_low, 0);
-    vec2 place = uv * vec2(size) - 0.5;
-    ivec2 first = ivec2(floor(place));
-    vec2 along = place - vec2(first);
-    ivec2 low = max(first, 0);
-    ivec2 high = min(first + 1, size - 1);
-    vec2 a = valueAt(low);
-    vec2 b = valueAt(ivec2(high.x, low.y));
-    vec2 c = valueAt(ivec2(low.x, high.y));
-    vec2 d = valueAt(high);
-
-    // From the pixel to each neighbour: across and up in pixels of ao_low, and in depth.
-    vec4 across = vec4(-along.x, 1.0 - along.x, -along.x, 1.0 - along.x);
-    vec4 up = vec4(-along.yy, 1.0 - along.yy);
     float share = shareOfZ(z, depthUnit());
-    vec4 behind = (vec4(a.y, b.y, c.y, d.y) - share) * lengthPerShare(share);
-    // From each neighbour's plane.
-    ivec2 band = (textureSize(source_normal, 0) - size) / 2;
-    vec3 ray = rayThrough(gl_FragCoord.xy);
-    vec2 low_pixel = pixelSize(share) * viewport_size / vec2(size);
-    vec4 stored = texelFetch(source_normal, low + band, 0);
-    vec3 normal_a = normalOf(stored);
-    vec3 normal_b = normalOf(texelFetch(source_normal, ivec2(high.x, low.y) + band, 0));
-    vec3 normal_c = normalOf(texelFetch(source_normal, ivec2(low.x, high.y) + band, 0));
-    vec3 normal_d = normalOf(texelFetch(source_normal, high + band, 0));
-    vec4 off = vec4(dot(normal_a, ray), dot(normal_b, ray), dot(normal_c, ray), dot(normal_d, ray)) * behind;
-    off += vec4(normal_a.x, normal_b.x, normal_c.x, normal_d.x) * across * low_pixel.x;
-    off += vec4(normal_a.y, normal_b.y, normal_c.y, normal_d.y) * up * low_pixel.y;
-    float noise = 4.0 * toleranceOf(stored.a) * radius;
-    vec4 cuts = cutsOf(abs(off), noise, vec4(1.0 / max(low_pixel.x, 1e-20)));
-    vec4 weights = (1.0 - abs(across)) * (1.0 - abs(up)) * max(1.0 - cuts, kMinWeight / (1.0 + cuts * cuts));
-#ifdef MARKS_MISSING
-    gl_FragDepth = dot((1.0 - abs(across)) * (1.0 - abs(up)), max(1.0 - cuts, 0.0)) < kMissing ? 1.0 : 0.0;
+    int corners = z > kBackgroundZ ? 4 : 0;
+    float seen = 0.0;
+    vec2 sum = vec2(0.0);
+    // Of the square's first pixel, and of all four unless they and this one lie on one plane. What does not change is
+    // computed within: one run is the rule, and a phone's core has 32 registers for full speed.
+    for (int i = 0; i < corners; ++i) {
+        vec2 size = vec2(textureSize(ao_low, 0));
+        vec2 place = uv * size - 0.5;
+        float up = step(1.5, float(i));
+        vec2 corner = floor(place) + vec2(float(i) - 2.0 * up, up);
+        ivec2 texel = ivec2(clamp(corner, vec2(0.0), size - 1.0));
+        vec4 stored = texelFetch(ao_low, texel, 0);
+#ifdef DEPTH_APART
+        stored.gba = texelFetch(low_depth, texel, 0).rgb;
 #endif
-    ao_filtered = vec4(dot(weights, vec4(a.x, b.x, c.x, d.x)) / dot(weights, vec4(1.0)));
+        ivec2 band = (textureSize(source_normal, 0) - textureSize(ao_low, 0)) / 2;
+        mediump vec4 plane = texelFetch(source_normal, texel + band, 0);
+        vec3 normal = normalOf(plane);
+        vec2 away = corner - place;
+        vec2 low_pixel = pixelSize(share) * viewport_size / size;
+        float off = dot(normal, rayThrough(gl_FragCoord.xy)) * (shareOfDigits(stored.gba) - share) * lengthPerShare(share) +
+                    dot(normal.xy * away, low_pixel);
+        float noise = 4.0 * toleranceOf(plane.a) * radius;
+        float cut = cutsOf(vec4(abs(off)), noise, vec4(1.0 / max(low_pixel.x, 1e-20))).x;
+        vec2 nearness = 1.0 - abs(away);
+        float near = nearness.x * nearness.y;
+        seen += near * max(1.0 - cut, 0.0);
+        sum += near * max(1.0 - cut, kMinWeight / (1.0 + cut * cut)) * vec2(stored.r, 1.0);
+        if (i == 0 && cut < kFlat && isMarked(stored.gba)) corners = 1;
+        if (i + 1 >= corners) break;
+    }
+    float value = corners == 1 ? texture(ao_low, uv).r : sum.x / max(sum.y, 1e-20);
+    ao_filtered = vec4(corners > 0 ? value : 1.0);
+#ifdef MARKS_MISSING
+    gl_FragDepth = corners > 1 && seen < kMissing ? 1.0 : 0.0;
+#endif
 }

@@ -171,7 +171,12 @@ mediump float visibilityFrom(March march, bool known)
     for (int i = 0; i < sides; ++i) {
         Side side = sideOf(march, i);
         uint mask = 0u;
-        for (int layer = 0; layer < layers; ++layer) mask = blockedOn(march, side, layer > 0, voxel, mask);
+        for (int layer = 0; layer < layers; ++layer) {
+            mask = blockedOn(march, side, layer > 0, voxel, mask);
+#if SECOND_LAYER
+            if (layer + 1 >= layers) break;
+#endif
+        }
         mediump float light = side.projected_length * side.whole;
         mediump float sectors = countOf(mask);
 #ifdef VOXEL_RAYS
@@ -179,6 +184,7 @@ mediump float visibilityFrom(March march, bool known)
 #endif
         blocked += light * sectors / kSectors;
         whole += light;
+        if (i + 1 >= sides) break;
     }
     return visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));
 }

@@ -51,6 +51,7 @@ mediump float horizonOf(March march, Side side, int steps)
         before = at;
         near = far;
         step_before = step_here;
+        if (i + 1 >= steps) break;
     }
     // Off the screen the surface last seen goes on until it leaves the radius.
     if (side.cut && near < 1.0 && filled >= 0.5 && before.y > 0.0) {
@@ -101,6 +102,7 @@ mediump float visibilityFrom(March march, bool known)
         mediump vec2 direction = openDirection(side, horizon);
         bent += side.projected_length * (toCamera(march.pixel) * direction.x + side.along * direction.y);
 #endif
+        if (i + 1 >= sides) break;
     }
 #ifdef BENT_NORMALS
     bent_normal = vec4(0.5, 0.5, 1.0, 0.0);

@@ -85,6 +85,7 @@ mediump float blockedOn(March march, Side side, mediump float least_lift, int st
         below += weight > 0.0 ? higher : 0.0;
         way = dot(before, before) < 1.0 ? offset - before : vec3(0.0);
         before = offset;
+        if (i + 1 >= steps) break;
     }
     mediump float near = dot(before, before);
     if (side.cut && near < 1.0) {
@@ -115,6 +116,7 @@ mediump float visibilityFrom(March march, bool known)
         blocked += blockedOn(march, side, least_lift, steps);
         whole += 1.0;  // of every two sides 2
 #endif
+        if (i + 1 >= sides) break;
     }
     return visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));
 }

@@ -6,7 +6,8 @@
 //   source_plane   with SHADING_NORMALS: the normal of that plane
 //
 // Taps lie on a straight line of texels, which a slice through the view ray is on the screen. Lengths of what a tap
-// sees are in radii. What lives from tap to tap is a few numbers: a phone's core has 32 registers for full speed.
+// sees are in radii. What lives from tap to tap is a few numbers: a phone's core has 32 registers for full speed. Loops
+// ask at the end of their bodies too: llvmpipe, which runs eight pixels side by side, would run them once more for none.
 
 #include "common/host_picture.glsl"
 #include "common/pixel_noise.glsl"
@@ -46,7 +47,7 @@ highp ivec2 marchedTexel(highp vec2 pixel) { return ivec2(pixel); }  // without 
 #endif
 
 #ifdef MARCH_FROM_VIEW
-const int kSlices = 2 * SLICES;
+const int kSlices = SLICES + 1;
 #else
 const int kSlices = SLICES;
 #endif
@@ -252,7 +253,7 @@ Side sideOf(March march, int i)
     pixels *= march.radius;
 #endif
     highp vec2 band = vec2(march.band);
-    highp vec2 room = mix(march.pixel, marchedSize() - march.pixel, step(0.0, pixels)) + band - 0.5 / stride();
+    highp vec2 room = mix(march.pixel, marchedSize() - march.pixel, step(0.0, pixels)) + band - 0.5;
     room /= max(abs(pixels), 1e-6);
     highp float edge = min(room.x, room.y);
     side.step = pixels * min(1.0 / (float(STEPS) - 0.6), edge / float(STEPS));
@@ -322,10 +323,10 @@ mediump float filledShare(mediump float gap)
 mediump float radiusFade(March march)
 {
     highp vec2 size = abs(vec2(ray_from_pixel[0].x, ray_from_pixel[1].y));
-#ifdef MARCH_FROM_VIEW
-    size *= stride();
-#endif
     highp float pixel = min(size.x, size.y);
+#ifdef MARCH_FROM_VIEW
+    pixel *= stride().x;
+#endif
 #if CAMERA_ORTHOGRAPHIC
     highp float shown = march.radius / max(pixel, 1e-30);
 #else
