@@ -120,6 +120,16 @@ Result<FrameTimes> Renderer::renderTimed(const Frame& given)
     return {std::move(*timed), std::move(all)};
 }
 
+Result<bool> Renderer::warm(const Frame& given)
+{
+    const Frame& frame = asHostDraws(given);
+    const Status prepared = state_->prepare(frame);
+    if (!prepared) return prepared.diagnostics();
+    const Result<bool> ready = state_->execution->warm(frame);
+    if (!ready) return ready;
+    return {*ready, prepared.diagnostics()};
+}
+
 Status Renderer::setTiming(bool on)
 {
     state_->timing = on;

@@ -131,10 +131,7 @@ Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
     if (Status status = device_.beginFrame(); !status) return status;
     takeReads();
     const std::vector<char>& chosen = begin(frame, all);
-    // Before the first frame histories hold what the memory held, which may be no number: not even
-    // a shader that multiplies by `history_valid` could read that.
-    for (const PreparedPass& pass : runs_)
-        if (!remembers_ && pass.odd_frame.id()) clearHistory(pass);
+    clearHistories();
     remembers_ = true;
     timers.beginFrame();
     for (std::size_t run = 0; run < runs_.size(); ++run) {
@@ -150,7 +147,31 @@ Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
         if (box) setView(frame, view);
         timers.endRun(run);
     }
-    return end(frame);
+    const Status status = end(frame);
+    if (status) warm_ = plan_.passes.size();
+    return status;
+}
+
+Result<bool> Execution::warm(const Frame& frame)
+{
+    if (warm_ == plan_.passes.size()) return true;
+    if (Status status = device_.beginFrame(); !status) return status.diagnostics();
+    swapHistories();  // to what the next frame draws over
+    if (warm_ == 0) clearHistories();
+    (void)takeDraws(frame);
+    PreparedView view = views_.front();
+    view.camera = view.before.camera = cameraMatrices(frame.camera);
+    setView(frame, view);
+    const PreparedPass& pass = runs_[warm_];
+    PassInfo info = pass.info;
+    info.within_area = true;
+    info.area = {0, 0, {1, 1}};
+    values_.setViewport(info.extent);
+    drawLayer(pass, info, view.camera, view_draws_);
+    drawn_ = {};
+    swapHistories();
+    if (Status status = device_.endFrame(); !status) return status.diagnostics();
+    return ++warm_ == plan_.passes.size();
 }
 
 /// Takes the frame's values, and says which passes must run: by view and pass.
@@ -368,6 +389,14 @@ void Execution::swapHistories()
     }
 }
 
+/// Before the first frame histories hold what the memory held, which may be no number: not even a
+/// shader that multiplies by `history_valid` could read that.
+void Execution::clearHistories()
+{
+    for (const PreparedPass& pass : runs_)
+        if (!remembers_ && pass.odd_frame.id()) clearHistory(pass);
+}
+
 void Execution::clearHistory(const PreparedPass& pass)
 {
     PassInfo info = pass.info;
@@ -388,6 +417,13 @@ void Execution::runPass(const PreparedPass& pass, PassCache::Share share,
 {
     values_.setViewport(pass.info.extent);
     PassInfo info = pass.info;
+    info.within_area = pass.plan->scissor;
+    if (pass.plan->scissor) {
+        const int length = pass.plan->cull_below_pixel;
+        constexpr double kAny = std::numeric_limits<double>::infinity();
+        const double least = length >= 0 ? values_.param(length) : kAny;
+        info.area = pixelsOf(draws.area(info.extent, least), info.extent);
+    }
     const int at_once = pass.plan->layers_at_once;
     const int times = std::max(pass.plan->layers / at_once, 1);
     for (int i = times * share.index / share.count; i < times * (share.index + 1) / share.count;
@@ -401,18 +437,11 @@ void Execution::runPass(const PreparedPass& pass, PassCache::Share share,
 }
 
 /// Draws a pass, or of one that draws volumes the layers from `info` on that it draws at once.
-void Execution::drawLayer(const PreparedPass& pass, PassInfo info, const CameraMatrices& camera,
-                          ViewDraws& draws)
+void Execution::drawLayer(const PreparedPass& pass, const PassInfo& info,
+                          const CameraMatrices& camera, ViewDraws& draws)
 {
-    info.within_area = pass.plan->scissor;
-    if (pass.plan->scissor) {
-        const int length = pass.plan->cull_below_pixel;
-        constexpr double kAny = std::numeric_limits<double>::infinity();
-        const double least = length >= 0 ? values_.param(length) : kAny;
-        info.area = pixelsOf(draws.area(info.extent, least), info.extent);
-    }
     device_.beginPass(info);
-    if (!pass.plan->scissor || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
+    if (!info.within_area || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
         device_.setProgram(pass.program, pass.state);
         setTextures(pass.textures);
         setUniforms(pass.uniforms);

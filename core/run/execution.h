@@ -52,6 +52,11 @@ public:
     /// out with a warning CV6011. Errors: CV6004 and then nothing changed, CV6005, CV6009, CV6016.
     Status run(const Frame& frame);
 
+    /// Draws one pixel of the next pass that was not drawn yet, into what the next frame draws
+    /// over. True once there is none. Requires what `run` does. Errors: those of `run`; then the
+    /// pass is to be drawn yet.
+    Result<bool> warm(const Frame& frame);
+
     /// All passes of it, changed or not, with a wait before the frame and the time of each pass.
     Result<FrameTimes> runTimed(const Frame& frame);
 
@@ -180,10 +185,11 @@ private:
     bool takeUniforms(PreparedPass& pass);
     void swapHistories();
     void clearHistory(const PreparedPass& pass);
+    void clearHistories();
     Status checkImports(const Frame& frame) const;
     void runPass(const PreparedPass& pass, PassCache::Share share, const CameraMatrices& camera,
                  ViewDraws& draws);
-    void drawLayer(const PreparedPass& pass, PassInfo info, const CameraMatrices& camera,
+    void drawLayer(const PreparedPass& pass, const PassInfo& info, const CameraMatrices& camera,
                    ViewDraws& draws);
     void setTextures(const std::vector<TextureBinding>& textures);
     void setUniforms(const std::vector<UniformBinding>& uniforms);
@@ -210,6 +216,7 @@ private:
     bool same_draws_ = false;  // those of the frame to be run
     bool swapped_ = false;     // whether histories and their targets have changed places
     bool remembers_ = false;   // whether histories hold anything
+    std::size_t warm_ = 0;     // passes that were drawn, from the first on
     std::vector<std::string> compiled_;
 
     // Destroyed from the last to the first: framebuffers before the textures that they draw into.

@@ -63,7 +63,7 @@ struct Effect::State {
     std::vector<SetTexture> textures = {};
     std::unique_ptr<Renderer> renderer = nullptr;
     std::optional<Governor> governor = {};
-    bool has_toured = true;         ///< Whether each level was drawn once.
+    int warm_levels = 0;            ///< From the first on; one more where the governor's is too.
     std::uint64_t times_taken = 0;  ///< FrameTimes::count of those that the governor has.
 
     explicit State(Device& of) : device(of) {}
@@ -130,39 +130,51 @@ struct Effect::State {
         return found;
     }
 
-    /// Draws each level once, in frames without a history, and the governor's last.
-    Status tour()
+    bool levelsAreWarm() const { return warm_levels > static_cast<int>(governor->levels().size()); }
+
+    /// Renderer::warm of each level in turn, and of the governor's last.
+    Result<bool> warmLevels()
     {
-        const bool cut = std::exchange(frame.camera_cut, true);
         const int levels = static_cast<int>(governor->levels().size());
-        Diagnostics all;
-        Status drawn;
-        for (int i = 0; drawn && i <= levels; ++i) {
-            append(all, goTo(i < levels ? i : governor->level()));
-            drawn = renderer->render(frame);
-        }
-        frame.camera_cut = cut;
-        has_toured = drawn.ok();
-        if (!drawn) return drawn;
-        append(all, drawn.diagnostics());
-        return all;
+        Diagnostics all = goTo(warm_levels < levels ? warm_levels : governor->level());
+        const Result<bool> ready = renderer->warm(frame);
+        if (!ready) return ready;
+        if (*ready && !levelsAreWarm()) ++warm_levels;
+        append(all, ready.diagnostics());
+        return {*ready && levelsAreWarm(), std::move(all)};
     }
 
     /// Draws the level that the latest time leads to.
     Status drawGoverned()
     {
-        if (!has_toured) return tour();
+        Diagnostics all;
+        while (!levelsAreWarm()) {
+            const Result<bool> warm = warmLevels();
+            if (!warm) return warm.diagnostics();
+            append(all, warm.diagnostics());
+        }
         renderer->takeTimes();
         const FrameTimes* const times = renderer->times();
         if (times && times->count != std::exchange(times_taken, times->count))
             governor->addTime(times->total_ms, renderer->level());
         const std::array<float, 4>* const estimate = renderer->value(kErrorEstimate);
         governor->setEstimate(estimate ? (*estimate)[0] : 0.0);
-        Diagnostics all = goTo(governor->level());
+        append(all, goTo(governor->level()));
         const Status drawn = renderer->render(frame);
         if (!drawn) return drawn;
         append(all, drawn.diagnostics());
         return all;
+    }
+
+    /// Makes the frame ready to be drawn.
+    Status prepare()
+    {
+        if (has_projection && !has_view) chooseView();
+        dropTextures();
+        for (const SetTexture& texture : textures)
+            if (texture.id && texture.host.copied())
+                if (Status status = device.refresh(texture.id); !status) return status;
+        return {};
     }
 
     /// A view of the projection's own hand.
@@ -275,17 +287,19 @@ Status Effect::resize(Extent size) { return state_->renderer->resize(size); }
 
 Status Effect::render()
 {
-    if (state_->has_projection && !state_->has_view) state_->chooseView();
-    state_->dropTextures();
-    for (const State::SetTexture& texture : state_->textures)
-        if (texture.id && texture.host.copied())
-            if (Status status = state_->device.refresh(texture.id); !status) return status;
+    if (Status status = state_->prepare(); !status) return status;
     const Status status =
         state_->governing() ? state_->drawGoverned() : state_->renderer->render(state_->frame);
     if (!status || std::exchange(state_->has_drawn, true) || state_->has_projection) return status;
     Diagnostics diagnostics = status.diagnostics();
     append(diagnostics, checkProjection(state_->renderer->description(), state_->frame.camera));
     return diagnostics;
+}
+
+Result<bool> Effect::warm()
+{
+    if (Status status = state_->prepare(); !status) return status.diagnostics();
+    return state_->governing() ? state_->warmLevels() : state_->renderer->warm(state_->frame);
 }
 
 Status Effect::govern(std::vector<FrontLevel> levels, const GovernorOptions& options,
@@ -314,7 +328,7 @@ Status Effect::govern(Governor governor, std::vector<Description> levels)
     if (!status) return status;
     state_->governor = std::move(governor);
     state_->renderer->follow(kErrorEstimate);
-    state_->has_toured = false;
+    state_->warm_levels = 0;
     Diagnostics all = status.diagnostics();
     append(all, state_->renderer->setTiming(true).diagnostics());
     for (Diagnostic& each : all)

@@ -68,6 +68,7 @@ static void check_nulls(void)
     EXPECT(none, crevice_effect_set_scale(NULL, 1, 1));
     EXPECT(none, crevice_effect_set_feature(NULL, "quality", NULL));
     EXPECT(none, crevice_effect_render(NULL));
+    EXPECT(none, crevice_effect_warm(NULL, NULL));
     CHECK(crevice_effect_output_count(NULL) == 0);
     CHECK(crevice_effect_output_name(NULL, 0)[0] == 0);
     EXPECT(none, crevice_effect_get_output(NULL, "ao", NULL));
@@ -328,6 +329,10 @@ int main(void)
     check_patch(device);
     check_limits(device);
     EXPECT(6010, crevice_effect_render(effect));  // without its texture
+    bool ready = true;
+    EXPECT(6010, crevice_effect_warm(effect, &ready));
+    CHECK(!ready);
+    EXPECT(6011, crevice_effect_warm(effect, NULL));
     EXPECT(1201, crevice_effect_reload(effect, "no_such_config"));
     EXPECT(0, crevice_effect_resize(effect, 32, 18));
     EXPECT(4005, crevice_effect_resize(effect, 0, 18));

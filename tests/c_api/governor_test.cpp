@@ -46,8 +46,14 @@ TEST_CASE_METHOD(CGovernor, "C API: a governor draws the level that fits, and sa
     CHECK(crevice_error_code(crevice_effect_warnings(effect)) == 6018);
     CHECK(report().level == 1);
     CHECK(std::string(report().config) == "balanced");
+    int calls = 0;
+    for (bool ready = false; !ready; ++calls) need(crevice_effect_warm(effect, &ready));
+    const int passes = static_cast<int>(rendererOf(*effect).plan().passes.size());
+    CHECK(calls > passes + 1);  // those of the other level too
+    recording->clearLog();
     need(crevice_effect_render(effect));
-    need(crevice_effect_add_time(effect, 1, 0));  // of another level
+    CHECK(recording->log().find("createTexture") == std::string::npos);  // no other level is drawn
+    need(crevice_effect_add_time(effect, 1, 0));                         // of another level
     CHECK(report().milliseconds == 0);
     for (int i = 0; i < 2; ++i) need(crevice_effect_add_time(effect, 4, -1));
     need(crevice_effect_render(effect));

@@ -57,6 +57,7 @@ void printSummary(const RenderOptions& options, const Session& session, const Sc
     printMessage("on %s\n", session.open.context->description().c_str());
     printMessage("planned and compiled in %s ms (wall clock)\n",
                  fixed(session.create_ms, 1).c_str());
+    if (options.warm) printMessage("warmed in %s ms\n", fixed(session.warm_ms, 1).c_str());
     if (const ProgramFolder* programs = session.open.programs.get();
         programs && programs->asked() > 0)
         printMessage("%d of %d programs came from the cache\n", programs->found(),
@@ -108,6 +109,7 @@ void printJson(const RenderOptions& options, const Session& session, const Scene
         {"values", std::move(values)},
         {"diagnostics", nlohmann::json::parse(toJson(warnings))},
     };
+    if (options.warm) json["warm_ms"] = session.warm_ms;
     if (const ProgramFolder* programs = session.open.programs.get())
         json["program_cache"] = {{"asked", programs->asked()}, {"found", programs->found()}};
     printAsJson(json);
@@ -360,6 +362,8 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     addBackendOption(*command, options->backend);
     addPrecisionOption(*command, options->precision);
     addProgramCacheOption(*command, options->program_cache);
+    command->add_flag("--warm", options->warm,
+                      "Have the driver compile before the first frame what that would wait for");
     addPictureOptions(*command, *options);
     CLI::Option* json =
         command->add_flag("--json", options->json, "Print the summary and diagnostics as JSON");

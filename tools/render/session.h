@@ -31,6 +31,7 @@ struct RenderOptions {
     std::string save_patch;
     std::string path;  ///< A camera path's name; every frame of it is written. Empty: none.
     int frames = 0;    ///< 0: one, or kPathFrames along a path.
+    bool warm = false;
     bool watch = false;
     bool json = false;
 };
@@ -60,7 +61,8 @@ struct Session {
     CompileOptions options;
     std::string lengths;  ///< As resolveLengths says.
     std::unique_ptr<Renderer> renderer;
-    double create_ms = 0;  ///< What Renderer::create took, by the wall clock.
+    double create_ms = 0;  ///< What Renderer::create took, by the wall clock,
+    double warm_ms = 0;    ///< ... and Renderer::warm, where that was asked for.
 };
 
 /// What glslang (tools/render/glsl/glsl_check.h) says of the shaders that a renderer of the

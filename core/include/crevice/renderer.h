@@ -57,6 +57,18 @@ public:
     /// Errors: those of `render`. A void measurement is no error, see FrameTimes.
     Result<FrameTimes> renderTimed(const Frame& frame);
 
+    /// Has the driver compile now what it would compile in the first frame, as it does where
+    /// shaders depend on state, formats and vertices: each call draws one pixel of one pass, so
+    /// that a loading screen goes on between calls. True once all is ready, at once where a frame
+    /// was drawn. The first frame comes out as without it; `output` has no picture before that.
+    ///
+    /// `frame` is what `render` will get: its textures, draws and materials decide what is
+    /// compiled, and a plan that it needs is made here. Draw callbacks are called. What a new plan
+    /// compiles, after another size, feature, config or kind of scene, is to be warmed again.
+    ///
+    /// Errors: those of `render`; the next call tries again.
+    Result<bool> warm(const Frame& frame);
+
     /// Has `render` measure from now on what its passes take on the GPU, without a wait and without
     /// allocating once the first frames are through: `times` has it some frames later. Which passes
     /// run does not change. Default: off.

@@ -73,21 +73,33 @@ Status create(const crevice_device& device, const crevice_effect_desc& desc,
     return {};
 }
 
-Status render(crevice_effect& effect)
+/// The status of what drew, with what it left behind.
+Status settle(crevice_effect& effect, const Status& status)
 {
-    const Status status = effect.effect->render();
     if (effect.effect->governor())
         effect.loaded = effect.levels[static_cast<std::size_t>(rendererOf(effect).level())];
-    Frame& frame = effect.effect->frame();
-    if (std::exchange(effect.scene.callback_threw, false)) {
-        ++frame.revision;  // draw again what it left undone
-        if (status)
-            return Diagnostic{Code::bad_input, "a draw callback threw an exception",
-                              "make callbacks that do not throw"};
-    }
+    if (!std::exchange(effect.scene.callback_threw, false)) return status;
+    ++effect.effect->frame().revision;  // draw again what it left undone
     if (!status) return status;
+    return Diagnostic{Code::bad_input, "a draw callback threw an exception",
+                      "make callbacks that do not throw"};
+}
+
+Status render(crevice_effect& effect)
+{
+    const Status status = settle(effect, effect.effect->render());
+    if (!status) return status;
+    Frame& frame = effect.effect->frame();
     frame.camera_cut = false;
     frame.origin_shift = glm::dvec3(0.0);
+    return status;
+}
+
+Status warm(crevice_effect& effect, bool& ready)
+{
+    const Result<bool> warmed = effect.effect->warm();
+    const Status status = settle(effect, warmed.diagnostics());
+    ready = status && *warmed;
     return status;
 }
 
@@ -293,4 +305,12 @@ crevice_error* crevice_effect_set_feature(crevice_effect* effect, const char* na
 crevice_error* crevice_effect_render(crevice_effect* effect)
 {
     return onEffect(effect, [&] { return render(*effect); });
+}
+
+crevice_error* crevice_effect_warm(crevice_effect* effect, bool* ready)
+{
+    return onEffect(effect, [&] {
+        const Status given = checkGiven(ready, "the place for the answer");
+        return given ? warm(*effect, *ready) : given;
+    });
 }

@@ -102,10 +102,10 @@ public:
     Status setFeature(std::string_view name, std::string_view value);
 
     /// Draws the level of a front that fits a budget from now on, in place of the config
-    /// (<crevice/governor.h>). Makes the programs of all, and the first frame draws each once, so
-    /// that a change of level compiles nothing. What was set, or is set, holds for all that have
-    /// it. `render` changes the level before it draws; one that cannot be drawn is a warning, and
-    /// the old one stays.
+    /// (<crevice/governor.h>). Makes the programs of all, and the first frame warms each, so that
+    /// a change of level compiles nothing. What was set, or is set, holds for all that have it.
+    /// `render` changes the level before it draws; one that cannot be drawn is a warning, and the
+    /// old one stays.
     ///
     /// Warns with CV6018 where the GPU's time cannot be measured, as on software renderers: hand
     /// over times of your own then, by Governor::addTime.
@@ -129,12 +129,22 @@ public:
     /// a warning CV6010 with the first frame where the projection is still the default.
     Status render();
 
+    /// Has the driver compile what the first frame would wait for, one pass a call:
+    ///
+    ///     Result<bool> ready = effect->warm();
+    ///     for (; ready && !*ready; ready = effect->warm()) drawLoadingScreen();
+    ///
+    /// True once all is ready. Call it when all is set that a frame is drawn from: textures,
+    /// matrices and draws. Of a governed effect it warms all levels. Errors and more:
+    /// Renderer::warm.
+    Result<bool> warm();
+
     /// The API's name of an output's texture of one view, which is the device's: sample it, and
     /// neither write nor delete it. Ask again after each frame. 0 for an output that is not drawn.
     std::uint32_t nativeName(std::string_view output, int view = 0) const;
 
-    /// The same with format and size. Good until the next call of `render`, `resize`, `setParam` or
-    /// `setFeature`, and as long as the effect.
+    /// The same with format and size. Good until the next call of `render`, `warm`, `resize`,
+    /// `setParam` or `setFeature`, and as long as the effect.
     OutputTexture outputTexture(std::string_view name, int view = 0) const;
 
     /// The red of an output's first pixel two or three frames ago: of outputs that are one number,

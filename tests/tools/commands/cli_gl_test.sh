@@ -15,6 +15,7 @@ expect 0 'wrote ao.pfm' render learnopengl "${small[@]}" --out color=lit.png --o
 check "both files are there" test -s lit.png -a -s ao.pfm
 expect 0 '"first_frame_ms"' render learnopengl "${small[@]}" --out ao=ao.png --json
 expect_json
+expect 0 '"warm_ms"' render learnopengl "${small[@]}" --warm --out ao=ao.png --json
 expect 0 'wrote' render learnopengl "${small[@]}" --out target.ao=raw.pfm --out normal=normal.pfm \
     --out view_normal=normal.png --out depth=depth.pfm
 expect 5 'over' compare raw.pfm ao.pfm --max-rmse 0.0001

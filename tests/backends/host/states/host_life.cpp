@@ -140,6 +140,8 @@ struct HostLife::Run {
     {
         (void)effect->value("ao");
         after("taking a value");
+        (void)need(effect->warm());
+        after("warming");
         need(effect->render());
         after(step);
         images.push_back(need(device->readTexture(effect->output("ao"))));

@@ -227,7 +227,7 @@ CREVICE_API crevice_error* crevice_effect_resize(crevice_effect* effect, int wid
 CREVICE_API void crevice_effect_destroy(crevice_effect* effect);
 
 /// Warnings of the last call on the effect that could give some (create, reload, resize, set,
-/// render), or null. They are the effect's until the next such call: do not free them.
+/// render, warm), or null. They are the effect's until the next such call: do not free them.
 CREVICE_API const crevice_error* crevice_effect_warnings(const crevice_effect* effect);
 
 // ---- What a frame is drawn from -----------------------------------------------------------------
@@ -343,6 +343,17 @@ CREVICE_API crevice_error* crevice_effect_set_feature(crevice_effect* effect, co
 /// Draws what has changed since the last frame. docs/host.md has a table of errors and what to do
 /// after each; skip the effect in that frame.
 CREVICE_API crevice_error* crevice_effect_render(crevice_effect* effect);
+
+/// Has the driver compile what the first frame would wait for. Each call draws one pixel of one
+/// pass, so that a loading screen goes on between calls; `ready` becomes true once all is done.
+/// Call it when all is set that a frame is drawn from: textures, matrices, draws and materials
+/// decide what is compiled. Draw callbacks are called. With a governor it warms all levels. The
+/// first frame comes out as without it. What is compiled after another size, feature or config is
+/// to be warmed again. Errors: those of crevice_effect_render; the next call tries again.
+///
+///     for (bool ready = false; !ready; draw_my_loading_screen())
+///         if (crevice_effect_warm(effect, &ready)) break;  // and free the error
+CREVICE_API crevice_error* crevice_effect_warm(crevice_effect* effect, bool* ready);
 
 // ---- Geometry: for configs that draw the scene --------------------------------------------------
 
@@ -565,8 +576,8 @@ typedef struct crevice_output {
     size_t struct_size;
 
     /// The GLuint of a GL_TEXTURE_2D with one level, row 0 at the bottom: sample it, and neither
-    /// write nor delete it. Good until the next call that renders, resizes, reloads or sets: ask
-    /// after each frame.
+    /// write nor delete it. Good until the next call that renders, warms, resizes, reloads or sets:
+    /// ask after each frame.
     uint32_t texture;
     const char* format;  ///< Such as "r8".
     int channels;        ///< 1 to 4.
@@ -664,7 +675,7 @@ typedef struct crevice_governor_desc {
 
 /// Draws the level of a front that fits the budget from now on, in place of the config, with the
 /// folder, patch and outputs of the effect. Programs of all levels are made here, and the first
-/// frame draws each once. What is set holds for all levels. crevice_effect_reload ends it.
+/// frame warms each. What is set holds for all levels. crevice_effect_reload ends it.
 ///
 /// Warns with CV6018 where the GPU's time cannot be measured, as on software renderers: hand over
 /// times of your own, by crevice_effect_add_time.
