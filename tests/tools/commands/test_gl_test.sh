@@ -115,7 +115,7 @@ sed 's/"sizes"/"params": {"radius": [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8]}, "
 for jobs in 1 2; do
     stop INT "stopped$jobs/cells.jsonl" test long.json --out "stopped$jobs" --jobs "$jobs"
     check "an interrupt ends with 130 ($jobs)" test "$got" -eq 130
-    expect 0 'cells known already' test long.json --out "stopped$jobs" --jobs "$jobs" --resume
+    expect 0 'cells? known already' test long.json --out "stopped$jobs" --jobs "$jobs" --resume
 done
 expect 0 '^32 cells' test long.json --out whole
 check "an interrupt changes no result" cmp whole/results.json stopped2/results.json
