@@ -208,7 +208,11 @@ cost() {
         # shellcheck disable=SC2046
         (cd -- "$peers" && "$command" cost $(grep -E "$of_peers" <<<"$all" | sed 's/$/.json/') --out "$work/peers.json") \
             >/dev/null
-        cp -- "$work/peers.json" "$compared"
+        # Without the passes of each.
+        awk '/^      "passes": \[/ { sub(/,$/, "", held); skip = 1 }
+            !skip { if (held != "") print held; held = $0 }
+            skip && /^      \]/ { skip = 0 }
+            END { print held }' "$work/peers.json" >"$compared"
     fi
     # A row for each config, the cheapest first; the file has each object without lists in one line.
     local file

@@ -73,9 +73,11 @@ void main()
     float steepest = kSteepest * wayAlong(vec2(axis), here.y, own) / max(radius, 1e-20);
     mean = clamp(mean - middle * clamp(slope, -steepest, steepest), 0.0, 1.0);
 #if MARKS_FLAT
-    vec3 square = vec3(valueAt(pixel + ivec2(1, 0), band).y, valueAt(pixel + ivec2(0, 1), band).y,
-                       valueAt(pixel + 1, band).y);
-    ao_filtered = vec4(mean, markedDigits(here.y, isFlat(here.y, square, own)));
+    vec2 right = pictureFromHost(vec2(1.0, 0.0));
+    vec2 above = pictureFromHost(vec2(0.0, 1.0));
+    vec3 square = vec3(valueAt(pixel + ivec2(right), band).y, valueAt(pixel + ivec2(above), band).y,
+                       valueAt(pixel + ivec2(right + above), band).y);
+    ao_filtered = vec4(mean, markedDigits(here.y, isFlat(right, above, here.y, square, own)));
 #elif PACKS
     ao_filtered = vec4(mean, digitsOfShare(here.y));
 #else

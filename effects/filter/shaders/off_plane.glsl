@@ -48,13 +48,14 @@ highp vec4 cutsOf(highp vec4 off, highp float noise, highp vec4 per_way)
 // Below that many cuts a neighbour counts so much that its weight need not be known.
 const highp float kFlat = 0.3;
 
-// Whether the pixels of `shares`, to the right, above and both, lie so near the plane of a pixel; not in the background.
-bool isFlat(highp float share, highp vec3 shares, mediump vec4 stored)
+// Whether the pixels of `shares`, to the `right`, `above` and both, lie so near the plane of a pixel; not in the background.
+bool isFlat(highp vec2 right, highp vec2 above, highp float share, highp vec3 shares, mediump vec4 stored)
 {
     highp float facing = dot(normalOf(stored), rayThrough(gl_FragCoord.xy));
     highp vec2 size = pixelSize(share);
     highp vec2 rise = normalOf(stored).xy * size;
-    highp vec3 off = abs(facing * (shares - share) * lengthPerShare(share) + vec3(rise, rise.x + rise.y));
+    highp vec3 off = abs(facing * (shares - share) * lengthPerShare(share) +
+                         vec3(dot(rise, right), dot(rise, above), dot(rise, right + above)));
     highp float noise = 4.0 * toleranceOf(stored.a) * radius;
     highp float most = max(max(off.x, off.y), off.z);
     return share > 0.0 && cutsOf(vec4(most), noise, vec4(1.0 / max(size.x, 1e-20))).x < kFlat;

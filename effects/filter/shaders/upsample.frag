@@ -15,6 +15,7 @@
 precision highp float;  // depths are compared
 precision highp int;
 
+#include "common/host_picture.glsl"
 #define SURFACE_WITHOUT_NORMAL
 #include <surface>
 #include "filter/shaders/off_plane.glsl"
@@ -48,7 +49,9 @@ void main()
         vec2 size = vec2(textureSize(ao_low, 0));
         vec2 place = uv * size - 0.5;
         float up = step(1.5, float(i));
-        vec2 corner = floor(place) + vec2(float(i) - 2.0 * up, up);
+        vec2 right = pictureFromHost(vec2(1.0, 0.0));
+        vec2 above = pictureFromHost(vec2(0.0, 1.0));
+        vec2 corner = floor(place) + max(-right - above, 0.0) + (float(i) - 2.0 * up) * right + up * above;
         ivec2 texel = ivec2(clamp(corner, vec2(0.0), size - 1.0));
         vec4 stored = texelFetch(ao_low, texel, 0);
 #ifdef DEPTH_APART

@@ -47,8 +47,8 @@ const mediump vec2 kGuessed = vec2(1.0, 3.0);
 uint maskBetween(mediump float least, mediump float most)
 {
     // Written inline, the literal would take the precision of what it is shifted by: 16 bits of the mask.
-    highp uint begin = uint(least + 0.5);
-    highp uint end = uint(most + 0.5);
+    highp uint begin = uint(least);
+    highp uint end = uint(most);
     return (1u << end) - (1u << begin);
 }
 
@@ -74,9 +74,10 @@ mediump float filledBetween(Trail trail, mediump float step_here, mediump float 
     return share;
 }
 
+// Of a side whose light is counted in sectors.
 mediump float sectorOf(Side side, mediump vec2 at)
 {
-    return clamp(kSectors / side.whole * (lightUnder(side, at) - side.below), 0.0, kSectors);
+    return clamp(lightUnder(side, at) - side.below, 0.5, kSectors + 0.5);
 }
 
 // The sectors blocked by something whose front is `at` and which is `deep` along its ray `away`, within the radius; and by
@@ -100,7 +101,7 @@ uint blockedBy(Side side, mediump vec2 at, mediump vec2 away, mediump float deep
     mediump vec2 begin = at + first * away;
     if (square >= 1.0 && filled > 0.0) begin = trail.at + min(leaving(trail.at, way), 1.0) * way;
     uint blocked = 0u;
-    mediump float sector = 0.0;
+    mediump float sector = 0.5;
     if (meets || filled > 0.0) {
         sector = sectorOf(side, begin);
         mediump float part = 0.5 * filled * (trail.sector - sector);  // from either end
@@ -125,7 +126,7 @@ mediump float lengthOf(mediump float stored)
 uint blockedOn(March march, Side side, bool second, mediump float voxel, uint blocked)
 {
     highp float place = 0.0;
-    Trail trail = Trail(vec2(second ? 2.0 : 0.0), 0.0, second ? 0.0 : thickness, 0.0, vec2(0.0));  // 2: nothing near
+    Trail trail = Trail(vec2(second ? 2.0 : 0.0), 0.5, second ? 0.0 : thickness, 0.0, vec2(0.0));  // 2: nothing near
     for (int i = 0; i < STEPS; ++i) {
         mediump float apart = -place;
         place = placeOf(march, side, i);
@@ -170,6 +171,11 @@ mediump float visibilityFrom(March march, bool known)
 #endif
     for (int i = 0; i < sides; ++i) {
         Side side = sideOf(march, i);
+        mediump float light = side.projected_length * side.whole;
+        mediump float sectors_of_light = kSectors / side.whole;
+        side.cos_n *= sectors_of_light;
+        side.sin_n *= sectors_of_light;
+        side.below = side.below * sectors_of_light - 0.5;
         uint mask = 0u;
         for (int layer = 0; layer < layers; ++layer) {
             mask = blockedOn(march, side, layer > 0, voxel, mask);
@@ -177,7 +183,6 @@ mediump float visibilityFrom(March march, bool known)
             if (layer + 1 >= layers) break;
 #endif
         }
-        mediump float light = side.projected_length * side.whole;
         mediump float sectors = countOf(mask);
 #ifdef VOXEL_RAYS
         sectors += blockedByVoxels(march, voxels, side, mask, i);

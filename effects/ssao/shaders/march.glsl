@@ -185,8 +185,8 @@ mediump vec2 overLevel(Side side, mediump vec2 at)
 mediump float lightUpTo(mediump float cos_n, mediump float sin_n, mediump float c)
 {
     mediump float square = c * c;
-    mediump float across = 1.5707963 - c * (1.9707963 - square * (0.1835754 + square * 0.2164246));
-    return 0.5 * (cos_n * (1.0 - square) + sin_n * across);
+    mediump float across = 0.7853982 - c * (0.9853982 - square * (0.0917877 + square * 0.1082123));
+    return cos_n * (0.5 - 0.5 * square) + sin_n * across;
 }
 
 // Of a direction: over the plane, and on this side of the camera, beyond which only texels beside the line are.
