@@ -45,7 +45,7 @@ mediump float horizonOf(March march, Side side, int steps)
         mediump float far = dot(at, at);
         bool inside = far < 1.0;
         // Of a surface that goes on beyond the radius, where it leaves it.
-        mediump vec2 seen = inside ? at * inversesqrt(max(far, 1e-5)) : mix(before, at, (1.0 - near) / max(far - near, 1e-3));
+        mediump vec2 seen = inside ? at * inversesqrt(max(far, 1e-5)) : before + min(leaving(before, way), 1.0) * way;
         mediump float lower = isOver(side, seen) ? max(horizon - seen.x, 0.0) : 0.0;
         horizon -= inside ? joined * lower : near < 1.0 ? filled * filled * lower : 0.0;
         before = at;
