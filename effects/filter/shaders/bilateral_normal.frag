@@ -72,7 +72,7 @@ void main()
     float slope = (dot(placed, values) - middle * mean) / (dot(placed, kPlaces) - middle * middle + kUnevenness);
     float steepest = kSteepest * wayAlong(vec2(axis), here.y, own) / max(radius, 1e-20);
     mean = clamp(mean - middle * clamp(slope, -steepest, steepest), 0.0, 1.0);
-#if MARKS_FLAT
+#ifdef MARKS_FLAT
     vec2 right = pictureFromHost(vec2(1.0, 0.0));
     vec2 above = pictureFromHost(vec2(0.0, 1.0));
     vec3 square = vec3(valueAt(pixel + ivec2(right), band).y, valueAt(pixel + ivec2(above), band).y,

@@ -45,7 +45,8 @@ highp vec4 cutsOf(highp vec4 off, highp float noise, highp vec4 per_way)
     return min(off / max(cut * radius, 1e-20) + slopes / slope_cut, 1e4);
 }
 
-// Below that many cuts a neighbour counts so much that its weight need not be known.
+// Below that many cuts a neighbour counts so much that its weight need not be known. From 0.1 to 0.8 errors differ by 0.0001
+// in rmse, and fetches by 2 %.
 const highp float kFlat = 0.3;
 
 // Whether the pixels of `shares`, to the `right`, `above` and both, lie so near the plane of a pixel; not in the background.

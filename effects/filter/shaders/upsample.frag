@@ -10,7 +10,8 @@
 //   missing        with MARKS_MISSING, a mask: 1 where no neighbour counts (ssao/march_missing.json), 0 elsewhere
 //
 // A neighbour counts if the pixel lies in its plane: what lies across the near edge of a box does not, at the same
-// depth. Where all four lie on other surfaces, a thin wire say, or on a curved one, those nearest in depth serve.
+// depth. Where all four lie on other surfaces, a thin wire say, or on a curved one, those nearest in depth serve. Where
+// they and the pixel all lie on one plane, which is the rule, the texture's own filter does. Ours.
 // [Kopf et al. 2007] - bilinear shares times a weight by the full-size picture
 precision highp float;  // depths are compared
 precision highp int;
@@ -43,8 +44,9 @@ void main()
     int corners = z > kBackgroundZ ? 4 : 0;
     float seen = 0.0;
     vec2 sum = vec2(0.0);
-    // Of the square's first pixel, and of all four unless they and this one lie on one plane. What does not change is
-    // computed within: one run is the rule, and a phone's core has 32 registers for full speed.
+    // Of the square's first pixel, and of all four unless its mark and this pixel's place in its plane say that it is
+    // enough. What does not change is computed within: kept from run to run, it would take more than the 32 registers
+    // that a phone's core has for full speed.
     for (int i = 0; i < corners; ++i) {
         vec2 size = vec2(textureSize(ao_low, 0));
         vec2 place = uv * size - 0.5;
@@ -73,7 +75,7 @@ void main()
         if (i == 0 && cut < kFlat && isMarked(stored.gba)) corners = 1;
         if (i + 1 >= corners) break;
     }
-    float value = corners == 1 ? texture(ao_low, uv).r : sum.x / max(sum.y, 1e-20);
+    float value = corners == 1 ? textureLod(ao_low, uv, 0.0).r : sum.x / max(sum.y, 1e-20);
     ao_filtered = vec4(corners > 0 ? value : 1.0);
 #ifdef MARKS_MISSING
     gl_FragDepth = corners > 1 && seen < kMissing ? 1.0 : 0.0;

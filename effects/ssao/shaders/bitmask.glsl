@@ -32,7 +32,7 @@ uniform mediump sampler2D source_layers;
 // What a side's last tap has seen.
 struct Trail {
     mediump vec2 at;
-    mediump float sector;  // 0..kSectors, of where its front ends within the radius
+    mediump float sector;  // of where its front ends within the radius, half of one on: 0.5 and more
     mediump float deep;    // from front to back
     mediump float step;    // in depth, from the front of the tap before
     mediump vec2 way;      // from there, 0 where what lies between is more open than filled
@@ -43,7 +43,8 @@ struct Trail {
 const mediump vec2 kGuessed = vec2(1.0, 3.0);
 #endif
 
-// Both ends are rounded: 0.0423 and 0.0242. Rounded down and up, about as in the authors' code, 0.0476 and 0.0303.
+// Of places half a sector on, so that both ends are rounded: 0.0423 and 0.0242. Rounded down and up, about as in the
+// authors' code, 0.0476 and 0.0303.
 uint maskBetween(mediump float least, mediump float most)
 {
     // Written inline, the literal would take the precision of what it is shifted by: 16 bits of the mask.
@@ -74,7 +75,7 @@ mediump float filledBetween(Trail trail, mediump float step_here, mediump float 
     return share;
 }
 
-// Of a side whose light is counted in sectors.
+// Half a sector beyond where `at` lies, of a side whose light is counted in sectors.
 mediump float sectorOf(Side side, mediump vec2 at)
 {
     return clamp(lightUnder(side, at) - side.below, 0.5, kSectors + 0.5);
