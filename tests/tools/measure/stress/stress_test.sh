@@ -72,7 +72,7 @@ check "an offset changes nothing of that" bash -c '! grep -E "^  offset .*breaks
 # --- an edit against the run before it: a filter that is a texel off fails no case, and differs ---
 mkdir edited
 cp -r -- "$checkout/effects" "$checkout/configs" edited
-sed -i 's/uv \* vec2(size) - 0.5;/uv * vec2(size) + 0.5;/' edited/effects/filter/shaders/upsample.frag
+sed -i 's/uv \* size - 0.5;/uv * size + 0.5;/' edited/effects/filter/shaders/upsample.frag
 echo '{"format": 1, "extends": ["geometry/depth_normal", "ssao/gtao", "filter/upsample", "lighting/deferred"]}' >low.json
 samples=(stress low.json --case samples --quick --size 128x72)  # ssao/march_missing would mend it
 "$crevice" "${samples[@]}" --out before >stdout.txt 2>stderr.txt || true
