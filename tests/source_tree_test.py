@@ -6,6 +6,7 @@ rule is first shown texts that break it.
 import glob
 import os
 import re
+import subprocess
 import sys
 
 MAY_INCLUDE = {
@@ -250,6 +251,17 @@ for library, layers in LAYERS.items():
     there = {folder_layer(each) or each.path for each in tree.values()
              if each.folders[0] == library and each.folders[1] != 'include' and each.cpp}
     failures += ['%s/%s is in no layer, or a layer without files' % (library, each) for each in there ^ set(layers)]
+
+# Faults that are planted follow what they are planted in.
+for table, column, base in ('code.txt', 1, ''), ('shaders.txt', 2, 'effects/'):
+    for fault in open(os.path.join(sys.argv[1], 'tests/faults', table), encoding='utf-8'):
+        fields = [field.strip() for field in fault.split(' | ')]
+        if fault.startswith('#') or len(fields) < column + 3:
+            continue
+        path = os.path.join(sys.argv[1], base + fields[column])
+        planted = subprocess.run(['sed', fields[column + 1], path], capture_output=True, text=True, check=False)
+        if planted.returncode or planted.stdout == open(path, encoding='utf-8').read():
+            failures.append("tests/faults/%s: '%s' changes nothing in %s" % (table, fields[-1], fields[column]))
 
 print('\n'.join(failures) or 'The %d files keep %d rules.' % (len(tree), len(RULES)))
 sys.exit(1 if failures else 0)
