@@ -146,13 +146,15 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     if (!created) return created.diagnostics();
     session.create_ms = millisecondsSince(start_s);
     session.renderer = std::move(*created);
-    const double warm_s = clockSeconds();
-    for (Result<bool> ready = !options.warm; !*ready;) {
-        ready = session.renderer->warm(*frame);
-        if (!ready) return ready.diagnostics();
+    if (options.warm) {
+        const double warm_s = clockSeconds();
+        for (Result<bool> ready = false; !*ready;) {
+            ready = session.renderer->warm(*frame);
+            if (!ready) return ready.diagnostics();
+        }
+        device.finish();
+        session.warm_ms = millisecondsSince(warm_s);
     }
-    device.finish();
-    session.warm_ms = millisecondsSince(warm_s);
     Diagnostics warnings = open.diagnostics();
     append(warnings, created.diagnostics());
     return {std::move(session), std::move(warnings)};

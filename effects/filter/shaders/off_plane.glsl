@@ -45,6 +45,12 @@ highp vec4 cutsOf(highp vec4 off, highp float noise, highp vec4 per_way)
     return min(off / max(cut * radius, 1e-20) + slopes / slope_cut, 1e4);
 }
 
+// The same of one length, from a pixel to a neighbour `width` away with the plane `stored`, or the other way round.
+highp float cutOf(highp float off, mediump vec4 stored, highp float width)
+{
+    return cutsOf(vec4(abs(off)), 4.0 * toleranceOf(stored.a) * radius, vec4(1.0 / max(width, 1e-20))).x;
+}
+
 // Below that many cuts a neighbour counts so much that its weight need not be known. From 0.1 to 0.8 errors differ by 0.0001
 // in rmse, and fetches by 2 %.
 const highp float kFlat = 0.3;
@@ -57,9 +63,7 @@ bool isFlat(highp vec2 right, highp vec2 above, highp float share, highp vec3 sh
     highp vec2 rise = normalOf(stored).xy * size;
     highp vec3 off = abs(facing * (shares - share) * lengthPerShare(share) +
                          vec3(dot(rise, right), dot(rise, above), dot(rise, right + above)));
-    highp float noise = 4.0 * toleranceOf(stored.a) * radius;
-    highp float most = max(max(off.x, off.y), off.z);
-    return share > 0.0 && cutsOf(vec4(most), noise, vec4(1.0 / max(size.x, 1e-20))).x < kFlat;
+    return share > 0.0 && cutOf(max(max(off.x, off.y), off.z), stored, size.x) < kFlat;
 }
 
 // How far it is on the plane from a pixel to the next along an axis, in scene units.

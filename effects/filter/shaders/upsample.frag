@@ -66,8 +66,7 @@ void main()
         vec2 low_pixel = pixelSize(share) * viewport_size / size;
         float off = dot(normal, rayThrough(gl_FragCoord.xy)) * (shareOfDigits(stored.gba) - share) * lengthPerShare(share) +
                     dot(normal.xy * away, low_pixel);
-        float noise = 4.0 * toleranceOf(plane.a) * radius;
-        float cut = cutsOf(vec4(abs(off)), noise, vec4(1.0 / max(low_pixel.x, 1e-20))).x;
+        float cut = cutOf(off, plane, low_pixel.x);
         vec2 nearness = 1.0 - abs(away);
         float near = nearness.x * nearness.y;
         seen += near * max(1.0 - cut, 0.0);
