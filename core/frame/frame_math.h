@@ -158,6 +158,7 @@ Diagnostics warnElided(const Frame& frame, const Device& device);
     VALUE(light_attenuation, vec3, kMaxLights, ImportType::lights) \
     VALUE(light_cone, vec4, kMaxLights, ImportType::lights) \
     VALUE(ambient_light, vec3, 1, ImportType::lights) \
+    VALUE(view_size, vec2, 1, std::nullopt) \
     VALUE(viewport_size, vec2, 1, std::nullopt) \
     VALUE(first_layer, int_, 1, std::nullopt) \
     VALUE(ray_from_pixel, mat3, 1, ImportType::camera) \

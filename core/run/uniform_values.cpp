@@ -119,6 +119,7 @@ void ValueTable::setHistory(const FrameHistory& history, const CameraMatrices& c
 void ValueTable::setViewport(Extent extent)
 {
     const glm::dvec2 pixel(1.0 / extent.width, 1.0 / extent.height);
+    write(view_size, glm::vec2(plan_.extent.width, plan_.extent.height));
     write(viewport_size, glm::vec2(extent.width, extent.height));
     write(ray_from_pixel,
           glm::mat3(ray_from_uv_[0] * pixel.x, ray_from_uv_[1] * pixel.y, ray_from_uv_[2]));

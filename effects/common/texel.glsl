@@ -12,8 +12,7 @@ const highp float kTie = 1.0 / 256.0;
 // of a picture is no shift of it; and is one for all of a row or column, so that edges along them have no teeth.
 highp vec2 hostTexelUnder(highp vec2 at)
 {
-    highp vec2 quarter = fract(0.25 * floor(at + 0.5));  // of the tie: from a half on in every other pair
-    return floor(at + vec2(quarter.x < 0.5 ? -kTie : kTie, quarter.y < 0.5 ? -kTie : kTie));
+    return floor(at + kTie * (8.0 * fract(0.25 * at + 0.125) - 4.0));  // from tie to tie -3, -1, 1, 3 of it
 }
 
 // The texel at `at`, counted from texel `first` of a texture of `size`, with as many more than the view on each side.

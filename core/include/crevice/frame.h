@@ -23,10 +23,10 @@
 //              that cannot go on with histories, and the one after a cut); mat4
 //              previous_view_from_view, previous_clip_from_view (from this frame's view space to
 //              the last one's); int frame_index, [0, 1024)
-//   pass       vec2 viewport_size, in pixels of the pass; int first_layer (of the volumes that it
-//              draws, 0 elsewhere); mat3 ray_from_pixel (of the camera: from
-//              a place in those pixels and 1 to x and y of view space at z = 1, of a perspective
-//              view, and of parallel rays at any z)
+//   pass       vec2 viewport_size, in pixels of the pass; vec2 view_size, in those of the view; int
+//              first_layer (of the volumes that it draws, 0 elsewhere); mat3 ray_from_pixel (of the
+//              camera: from a place in the pass's pixels and 1 to x and y of view space at z = 1,
+//              of a perspective view, and of parallel rays at any z)
 //
 // A frame may have further views, such as the right eye: the plan then runs once for each, and
 // camera, lights and the matrices of the last frame are those of the view at hand.

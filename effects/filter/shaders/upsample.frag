@@ -35,30 +35,57 @@ layout(location = 0) out vec4 ao_filtered;  // four: beside a depth, Mesa 22.3 f
 const float kMinWeight = 0.03;
 
 // Share of its neighbours' weights on the screen below which a pixel has none.
-const float kMissing = 0.2;
+const float kMissing = 0.1;
+
+// The pixel of ao_low to the lower left of this one, in the host's picture: the first of the square of four about it.
+vec2 firstCorner(vec2 place)
+{
+    return floor(place) + max(-pictureFromHost(vec2(1.0, 0.0)) - pictureFromHost(vec2(0.0, 1.0)), 0.0);
+}
+
+vec4 storedAt(ivec2 texel)
+{
+    vec4 stored = texelFetch(ao_low, texel, 0);
+#ifdef DEPTH_APART
+    stored.gba = texelFetch(low_depth, texel, 0).rgb;
+#endif
+    return stored;
+}
+
+// Whether the square about this pixel is marked as flat and the pixel lies on it: the slope of depth from pixel to pixel,
+// which leads nowhere across an edge, leads to its first one.
+bool isOnMarkedSquare(float share)
+{
+    vec2 slope = vec2(dFdx(share), dFdy(share));
+    vec2 size = vec2(textureSize(ao_low, 0));
+    vec2 scale = viewport_size / size;
+    vec2 place = uv * size - 0.5;
+    vec2 corner = clamp(firstCorner(place), vec2(0.0), size - 1.0);
+    vec4 stored = storedAt(ivec2(corner));
+    float off = shareOfDigits(stored.gba) - share - dot(slope * scale, corner - place);
+    return isMarked(stored.gba) && isOnPlane(abs(off) * lengthPerShare(share), abs(pixelSize(share).x) * scale.x);
+}
 
 void main()
 {
     float z = viewZAt(uv);
     float share = shareOfZ(z, depthUnit());
-    int corners = z > kBackgroundZ ? 4 : 0;
+    bool drawn = z > kBackgroundZ;
+    int corners = !isOnMarkedSquare(share) && drawn ? 4 : 0;
+    float value = drawn ? textureLod(ao_low, uv, 0.0).r : 1.0;
+    // What does not change is computed within: kept from run to run, it would take more than the 32 registers that a
+    // phone's core has for full speed.
     float seen = 0.0;
     vec2 sum = vec2(0.0);
-    // Of the square's first pixel, and of all four unless its mark and this pixel's place in its plane say that it is
-    // enough. What does not change is computed within: kept from run to run, it would take more than the 32 registers
-    // that a phone's core has for full speed.
     for (int i = 0; i < corners; ++i) {
         vec2 size = vec2(textureSize(ao_low, 0));
         vec2 place = uv * size - 0.5;
         float up = step(1.5, float(i));
         vec2 right = pictureFromHost(vec2(1.0, 0.0));
         vec2 above = pictureFromHost(vec2(0.0, 1.0));
-        vec2 corner = floor(place) + max(-right - above, 0.0) + (float(i) - 2.0 * up) * right + up * above;
+        vec2 corner = firstCorner(place) + (float(i) - 2.0 * up) * right + up * above;
         ivec2 texel = ivec2(clamp(corner, vec2(0.0), size - 1.0));
-        vec4 stored = texelFetch(ao_low, texel, 0);
-#ifdef DEPTH_APART
-        stored.gba = texelFetch(low_depth, texel, 0).rgb;
-#endif
+        vec4 stored = storedAt(texel);
         ivec2 band = (textureSize(source_normal, 0) - textureSize(ao_low, 0)) / 2;
         mediump vec4 plane = texelFetch(source_normal, texel + band, 0);
         vec3 normal = normalOf(plane);
@@ -71,12 +98,11 @@ void main()
         float near = nearness.x * nearness.y;
         seen += near * max(1.0 - cut, 0.0);
         sum += near * max(1.0 - cut, kMinWeight / (1.0 + cut * cut)) * vec2(stored.r, 1.0);
-        if (i == 0 && cut < kFlat && isMarked(stored.gba)) corners = 1;
         if (i + 1 >= corners) break;
     }
-    float value = corners == 1 ? textureLod(ao_low, uv, 0.0).r : sum.x / max(sum.y, 1e-20);
-    ao_filtered = vec4(corners > 0 ? value : 1.0);
+    if (corners > 0) value = sum.x / max(sum.y, 1e-20);
+    ao_filtered = vec4(value);
 #ifdef MARKS_MISSING
-    gl_FragDepth = corners > 1 && seen < kMissing ? 1.0 : 0.0;
+    gl_FragDepth = corners > 0 && seen < kMissing ? 1.0 : 0.0;
 #endif
 }

@@ -8,6 +8,7 @@
 precision highp float;
 
 #include "common/guard_band.glsl"
+#include "common/middle_pixel.glsl"
 #include <vertex>
 
 uniform mat4 clip_from_model;
@@ -28,5 +29,8 @@ void main()
     facing = view_normal_from_model * modelNormal();
     uv = modelUv();
     gl_Position = clip_from_model * at;
+#ifdef SMALL_PICTURE
+    gl_Position.xy = clipWhereSeen(gl_Position.xyw, viewSizeIn(viewport_size));
+#endif
     gl_Position.xy *= viewShareOf(viewport_size);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Depth of the nearest surface behind another depth; with OR_EQUAL also of one at that depth, as the back of a sheet.
 //
-//   behind  depth texture of the same size, and of the same format as `depth`
+//   behind  depth texture of the same size, and of the format of `depth_back`
 // [Everitt 2001]
 precision highp float;
 
@@ -21,7 +21,7 @@ void main()
     float beyond = gl_FragCoord.z - nearer;
 #endif
     // The depth of one surface, as the texture has it and as it comes, differs by less.
-    float same = 2.0 * (DEPTH_STEP.x + DEPTH_STEP.y * nearer);
+    float same = 2.0 * (DEPTH_BACK_STEP.x + DEPTH_BACK_STEP.y * nearer);
 #ifdef OR_EQUAL
     if (beyond < -same) discard;
 #else

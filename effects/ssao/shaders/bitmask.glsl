@@ -160,9 +160,9 @@ uint blockedOn(March march, Side side, bool second, mediump float voxel, uint bl
 mediump float visibilityFrom(March march, bool known)
 {
     known = known && radiusFade(march) > 0.0;
-    // Not a constant: written out, the sides would take more registers than a phone has.
+    // Not a constant: written out, sides and layers would take more registers than a phone has.
     int sides = known ? 2 * kSlices : 0;
-    int layers = SECOND_LAYER > 0 ? min(sides, 2) : 1;
+    int layers = SECOND_LAYER > 0 ? sides : 1;  // 2 or 1, by the break
     mediump float blocked = 0.0;
     mediump float whole = 0.0;
     mediump float voxel = 0.0;
@@ -181,7 +181,7 @@ mediump float visibilityFrom(March march, bool known)
         for (int layer = 0; layer < layers; ++layer) {
             mask = blockedOn(march, side, layer > 0, voxel, mask);
 #if SECOND_LAYER
-            if (layer + 1 >= layers) break;
+            if (layer > 0) break;
 #endif
         }
         mediump float sectors = countOf(mask);

@@ -15,7 +15,8 @@ precision highp int;
 
 #define SURFACE_WITHOUT_NORMAL
 #include <surface>
-#include "geometry/shaders/depth_point.glsl"
+#include "common/middle_pixel.glsl"
+#include "common/view_space.glsl"
 #include "ssao/shaders/shading_normals.glsl"
 
 #if !defined(SECOND_LAYER) || !BACK_FACES
@@ -41,32 +42,41 @@ layout(location = 0) out vec4 source_layers;
 // parts steep sheets, more closes what is open behind leaves. Ours.
 const vec2 kSheet = vec2(0.02, 0.5);
 const float kSheetBehind = min(3.0 / float(STEPS), kSheet.y);  // its plane is not known
+const float kSame = 0.002;  // and less between front and back is a sheet: the two are drawn at different sizes
 const float kUnknown = 1e9;
 
+// False where nothing was drawn.
+bool pointBehind(highp sampler2D depths, vec2 seen, out vec3 point)
+{
+    float stored = texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r;
+    point = viewFromWindow(seen, stored);
+    return isDrawn(stored);
+}
+
 // In radii: up to the back face, `sheet` where the back is the front, or kUnknown where none was drawn.
-float depthOf(highp sampler2D backs, vec2 at, vec3 front, float sheet)
+float depthOf(highp sampler2D backs, vec2 seen, vec3 front, float sheet)
 {
     vec3 back;
-    bool closed = pointIn(backs, at, back);
-    if (closed && back.z < front.z) return distance(back, front) / max(radius, 1e-30);
-    return closed ? sheet : kUnknown;
+    bool closed = pointBehind(backs, seen, back);
+    float deep = back.z < front.z ? distance(back, front) / max(radius, 1e-30) : 0.0;
+    return !closed ? kUnknown : deep > kSame ? deep : sheet;
 }
 
 void main()
 {
-    vec2 at = uvFromGuardBand(ivec2(gl_FragCoord.xy), viewport_size);
+    vec2 seen = seenUv(uvFromGuardBand(ivec2(gl_FragCoord.xy), viewport_size), viewSizeIn(viewport_size));
     vec3 front;
     vec3 lengths = vec3(0.0, kUnknown, 0.0);
-    if (viewPosition(at, front)) {
+    if (viewPosition(seen, front)) {
         vec3 plane = texelFetch(source_plane, ivec2(gl_FragCoord.xy), 0).xyz * 2.0 - 1.0;
         float facing = clamp(raySlope(front, normalize(plane)), 1e-3, 1.0);
         float change = sqrt(1.0 - facing * facing) / (facing * float(STEPS));
-        lengths.x = depthOf(depth_back, at, front, clamp(change, kSheet.x, kSheet.y));
+        lengths.x = depthOf(depth_back, seen, front, clamp(change, kSheet.x, kSheet.y));
 #if SECOND_LAYER
         vec3 behind;
-        if (pointIn(depth_second, at, behind))
+        if (pointBehind(depth_second, seen, behind))
             lengths.yz = vec2(distance(behind, front) / max(radius, 1e-30),
-                              depthOf(depth_second_back, at, behind, kSheetBehind));
+                              depthOf(depth_second_back, seen, behind, kSheetBehind));
 #endif
     }
     lengths = min(lengths, kUnknown);

@@ -3,7 +3,8 @@
 // Occlusion of pixels for which none of `ao` stands, of wires, rungs and leaves: each is marched for itself, over the
 // same few texels of depth.
 //
-//   surface      interface: point and normal in view space, at full size
+//   surface      interface: point and planes in view space, at full size; light is weighed by those, too: another normal
+//                would take more registers than a phone has, and of pixels so thin no error is smaller for it
 //   estimator    interface: what is blocked about a point
 //   ao_low       has the size of `ao`
 //   ao_filtered  visibility, 1 open .. 0 blocked
@@ -14,8 +15,10 @@ precision highp int;
 uniform mediump sampler2D ao_low;
 
 #include <surface>
-#include <estimator>
 #include "ssao/shaders/own_planes.glsl"
+#undef SHADING_NORMALS
+#define SHADING_NORMALS 0
+#include <estimator>
 
 in vec2 uv;
 layout(location = 0) out float ao_filtered;
@@ -28,6 +31,6 @@ void main()
     vec3 plane;
     float tolerance = ownPlanes(uv, point, normal, plane);
     March march;
-    marchOf(gl_FragCoord.xy / stride(), shareOfZ(point.z, depthUnit()), normal, plane, tolerance, march);
+    marchOf(gl_FragCoord.xy / stride(), shareOfZ(point.z, depthUnit()), plane, plane, tolerance, march);
     ao_filtered = visibilityFrom(march, known);
 }

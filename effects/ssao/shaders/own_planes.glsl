@@ -2,6 +2,10 @@
 // What marching estimators take of the interface `surface` at a pixel: the normal that weighs light, that of the plane,
 // and how far off that the surface may come out, as it is stored (common/tolerance.glsl).
 
+#include "common/depth_share.glsl"
+#include "common/tolerance.glsl"
+#include "ssao/shaders/shading_normals.glsl"
+
 mediump float ownPlanes(highp vec2 at, highp vec3 point, out highp vec3 normal, out highp vec3 plane)
 {
     normal = normalAt(at);

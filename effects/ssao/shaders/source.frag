@@ -13,9 +13,7 @@ precision highp float;  // positions and depths
 precision highp int;
 
 #include <surface>
-#include "ssao/shaders/shading_normals.glsl"
-#include "common/depth_share.glsl"
-#include "common/tolerance.glsl"
+#include "common/middle_pixel.glsl"
 #include "ssao/shaders/own_planes.glsl"
 
 uniform vec2 viewport_size;
@@ -28,8 +26,9 @@ layout(location = 1) out vec4 source_plane;
 void main()
 {
     vec2 at = uvFromGuardBand(ivec2(gl_FragCoord.xy), viewport_size);
+    vec2 seen = seenUv(at, viewSizeIn(viewport_size));
     vec3 point;
-    if (!viewPosition(at, point)) {
+    if (!viewPosition(seen, point)) {
         source_normal = vec4(0.0);
 #if SHADING_NORMALS
         source_plane = vec4(0.0);
@@ -39,7 +38,7 @@ void main()
     }
     vec3 normal;
     vec3 plane;
-    float tolerance = ownPlanes(at, point, normal, plane);
+    float tolerance = ownPlanes(seen, point, normal, plane);
     source_normal = vec4(normal * 0.5 + 0.5, tolerance);
 #if SHADING_NORMALS
     source_plane = vec4(plane * 0.5 + 0.5, tolerance);

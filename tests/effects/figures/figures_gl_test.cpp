@@ -44,7 +44,7 @@ struct Row {
 
 const Row kOcclusion[] = {
     {"mobile", kClose, {"intensity=1.6", "power=1.7"}, 0.1766, -0.1052},
-    {"high", kWide, {"intensity=0.6", "power=2.5"}, 0.0756, -0.0560},
+    {"high", kWide, {"intensity=0.6", "power=2.5"}, 0.0741, -0.0484},
     {"hbao", kClose, {"intensity=0.7", "power=1.5"}, 0.2107, 0.1485},
     {"ssdo", kWide, {"intensity=1.5", "power=0.6"}, 0.2290, -0.0327},
     {"sao", kClose, {"intensity=0.5", "power=4"}, 0.2015, 0.1170},
@@ -53,7 +53,7 @@ const Row kOcclusion[] = {
     {"gtao", kClose, {"max_gap=0.5"}, 0.1610, 0.0912},
     {"bitmask", kWide, {"thickness=0.1"}, 0.0644, 0.0296},
     {"bitmask", kClose, {"thickness=2", "bias=0.05"}, 0.1286, -0.0445},
-    {"balanced", kWide, {"guard_band=1.5", "max_gap=0.4"}, 0.0602, 0.0165},
+    {"balanced", kWide, {"guard_band=1.5", "max_gap=0.4"}, 0.0636, 0.0208},
     {"hbao", kWide, {"bias=0.08", "angle_bias=30"}, 0.1230, 0.0802},
     {"hbao", kClose, {"light=cosine", "falloff=0.3", "thin_occluders=count"}, 0.2589, -0.1690},
     {"sao", kWide, {"bias=0.15"}, 0.2150, 0.1153},
@@ -63,7 +63,7 @@ const Row kOcclusion[] = {
     {"ssdo", kClose, {"bias_length=0.05", "bias_along=normal"}, 0.1224, 0.0006},
     {"gtao", kWide, {"rotation=gradient", "slices=1", "steps=5"}, 0.0765, 0.0057},
     {"gtao_temporal", kWide, {"intensity=1.5", "bias=0.05"}, 0.0877, -0.0495},
-    {"balanced_temporal", kClose, {"guard_band=1"}, 0.0550, 0.0094},
+    {"balanced_temporal", kClose, {"guard_band=1"}, 0.0561, 0.0097},
     {"bitmask_layers", kClose, {"thickness=1"}, 0.0543, 0.0205},
 };
 

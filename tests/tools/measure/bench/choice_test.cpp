@@ -300,8 +300,8 @@ TEST_CASE("neighbours move what costs time, and the rest of the settings stay")
 {
     const Node document = need(loadConfig(shippedSources(), {"high"}));
     const auto settings = neighbourSettings(need(decode(document, shippedSources())));
-    for (const char* setting : {"steps=15", "steps=6", "slices=3", "slices=1", "ao_scale=0.56",
-                                "ao_scale=0.36", "guard_band=1.1", "back_faces=false"})
+    for (const char* setting : {"steps=18", "steps=8", "slices=3", "slices=1", "ao_scale=0.42",
+                                "ao_scale=0.27", "guard_band=1.1", "back_faces=false"})
         CHECK(contains(settings, setting));
     for (const std::string& setting : settings) {
         INFO(setting);
