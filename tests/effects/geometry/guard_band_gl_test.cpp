@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Views of any size within a guard band: their pixels are those of the picture without one. Pictures of a third of the
-// view's size: their texels see pixels of it.
+// Views of any size within a guard band: their pixels are those of the picture without one.
+// Pictures of a third of the view's size: their texels see pixels of it.
 #include "tests/support/modules.h"
 #include "tests/support/nightly.h"
 #include "tests/support/picture.h"
@@ -116,11 +116,13 @@ TEST_CASE("On a device of small textures the guard band is what they hold, in pl
     CHECK(meanChange(occlusion(128, {}), occlusion(2048, {})) > 0.002);
 }
 
-TEST_CASE("What is drawn at a third of the view's size is of the pixels that are read of the full one")
+TEST_CASE(
+    "What is drawn at a third of the view's size is of the pixels that are read of the full one")
 {
-    // With the nearest front faces as layer, front and back are one wherever the two are of one place: a sheet, whose
-    // depth is within bounds (layers.frag).
-    const GivenConfig config({"balanced"}, R"(, "passes": { "back_faces": { "state": { "cull": "back" } } },
+    // With the nearest front faces as layer, front and back are one wherever the two are of one
+    // place: a sheet, whose depth is within bounds (layers.frag).
+    const GivenConfig config({"balanced"},
+                             R"(, "passes": { "back_faces": { "state": { "cull": "back" } } },
                                               "outputs": { "layers": "source_layers" })");
     SceneRig rig("spheres");
     const auto off = [&](Extent extent, const char* scale) {
@@ -141,7 +143,8 @@ TEST_CASE("What is drawn at a third of the view's size is of the pixels that are
     for (const Extent extent : {Extent{240, 135}, {241, 136}, {242, 137}, {250, 91}})
         for (const char* scale : {"0.3333", "1"}) {
             INFO(extent.width << 'x' << extent.height << ' ' << scale);
-            CHECK(off(extent, scale) < 2 * kMostRounded);  // a texel's edges are rounded to 3 pixels'
+            CHECK(off(extent, scale) <
+                  2 * kMostRounded);  // a texel's edges are rounded to 3 pixels'
         }
     CHECK(off({240, 135}, "0.4") > 0.1);  // which this test must see
 }
