@@ -224,12 +224,15 @@ void joinVertices(MeshDesc& mesh)
 
 std::size_t finishMesh(MeshDesc& mesh, bool has_normals, double crease_degrees)
 {
-    if (has_normals)
+    std::size_t turned = 0;
+    if (has_normals) {
         windByNormals(mesh);
-    else
+        turned = turnNormals(mesh);
+        fillNormals(mesh);
+    } else if (crease_degrees > 0) {
         smoothNormals(mesh, crease_degrees);
-    const std::size_t turned = has_normals ? turnNormals(mesh) : 0;
-    fillNormals(mesh);
+        fillNormals(mesh);
+    }
     joinVertices(mesh);
     return turned;
 }

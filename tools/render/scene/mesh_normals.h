@@ -27,11 +27,12 @@ void fillNormals(MeshDesc& mesh);
 /// Makes vertices that are equal in everything one, and drops those that no triangle uses.
 void joinVertices(MeshDesc& mesh);
 
-/// glTF 2.0 asks for flat faces where a file has no normals (3.7.2.1).
+/// glTF 2.0 asks for flat faces where a file has no normals (3.7.2.1). Normals stay of length zero,
+/// for which shaders and the tracer take the face's: so triangles share vertices.
 constexpr double kGltfCreaseDegrees = 0.0;
 
 /// All of these, for a mesh as a file has it: winds it by its normals, or makes them where the file
-/// has none. Returns what turnNormals does.
+/// has none; with a crease of 0 they stay of length zero. Returns what turnNormals does.
 std::size_t finishMesh(MeshDesc& mesh, bool has_normals, double crease_degrees);
 
 }  // namespace crevice
