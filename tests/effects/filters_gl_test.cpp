@@ -2,6 +2,8 @@
 // What must hold for every filter over the occlusion, drawn for real.
 #include "tests/support/modules.h"
 #include "tests/support/picture.h"
+#include "tests/support/shipped_subjects.h"
+#include "tools/render/scene/mesh_shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -167,6 +169,34 @@ TEST_CASE_METHOD(Filters, "Filters that know depth do not leak across silhouette
         CHECK(leaked(filter) == 0.0);
     CHECK(leaked("upsample") < 0.002);
     for (const char* filter : {"box", "gaussian"}) CHECK(leaked(filter) > 0.01);
+}
+
+TEST_CASE("Wires that all texels of low resolution miss are open, before a dark slot")
+{
+    const auto drawn = [](const char* config, bool wires) {
+        Scene scene;
+        scene.materials.emplace_back();
+        scene.instances.emplace_back();
+        MeshDesc slot = makeQuad({-3, 0, -0.6f}, {6, 0, 0}, {0, 0.4f, 0});
+        append(slot, makeBox({-3, -2, -0.6f}, {3, 0, 0}));
+        append(slot, makeBox({-3, 0.4f, -0.6f}, {3, 2, 0}));
+        for (float x = -0.6f; x < 0.6f && wires; x += 0.123f)
+            append(slot, makeBox({x, -2, 1}, {x + 0.012f, 2, 1.012f}));
+        scene.meshes = {slot};
+        SceneRig rig(std::move(scene), {240, 135});
+        return rig.draw(descriptionOf({config}, {"radius=0.7"}),
+                        rig.frame("eye=0,0.2,4;at=0,0.2,0;fov=30"), "ao");
+    };
+    const Image full = drawn("gtao", true), slot = drawn("gtao", false),
+                low = drawn("mobile", true);
+    int wires = 0, wrong = 0;
+    for (std::size_t i = 0; i < full.pixels.size(); ++i)
+        if (full.pixels[i] > slot.pixels[i] + 0.2f) {
+            ++wires;
+            wrong += low.pixels[i] < 0.5f * (full.pixels[i] + slot.pixels[i]);
+        }
+    CHECK(wires > 100);
+    CHECK(wrong < 0.05 * wires);
 }
 
 TEST_CASE_METHOD(

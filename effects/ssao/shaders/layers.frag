@@ -42,7 +42,7 @@ layout(location = 0) out vec4 source_layers;
 // parts steep sheets, more closes what is open behind leaves. Ours.
 const vec2 kSheet = vec2(0.02, 0.5);
 const float kSheetBehind = min(3.0 / float(STEPS), kSheet.y);  // its plane is not known
-const float kSame = 0.002;  // and less between front and back is a sheet: the two are drawn at different sizes
+const float kSame = 0.002;  // no more between front and back is a sheet: the two are drawn at different sizes
 const float kUnknown = 1e9;
 
 // False where nothing was drawn.
