@@ -384,7 +384,7 @@ test('A slider edits the text, the text moves the slider, and the patch draws th
   await crevice('render', join(work, 'mine.json'), '--scene', VIEW.scene, '--camera', VIEW.camera, '--size', SIZE.join('x'), '--out',
     `ao=${join(work, 'mine.pfm')}`);
   assert(differing(pixels, readPfm(join(work, 'mine.pfm'))) <= 1);
-  await page.evaluate(source => crevice.app.typed('configs/balanced.json', source.replace('0.9', '0.3')), text);
+  await page.evaluate(source => crevice.app.typed('configs/balanced.json', source.replace('"radius": 0.9', '"radius": 0.3')), text);
   await rest(page);
   assert.equal(await page.evaluate(() => crevice.engine.state(0).params.find(each => each.name === 'radius').value[0]), 0.3);
   await page.click('#reset-all');
