@@ -106,7 +106,7 @@ Result<Scene> finished(ReadScene read, const std::string& path, const ImportOpti
         warnings.push_back(
             asWarning({Code::not_finite,
                        "the scene '" + path + "' has " + std::to_string(read.dropped) +
-                           " faces with vertices that are not finite",
+                           " faces with vertices that are not finite or not there",
                        "they are left out"}));
     const std::size_t surfaces = turnInsideOut(scene);
     if (read.turned + surfaces > 0) warnings.push_back(turnedWarning(path, read.turned, surfaces));

@@ -351,8 +351,9 @@ CREVICE_API crevice_error* crevice_effect_render(crevice_effect* effect);
 /// first frame comes out as without it. What is compiled after another size, feature or config is
 /// to be warmed again. Errors: those of crevice_effect_render; the next call tries again.
 ///
-///     for (bool ready = false; !ready; draw_my_loading_screen())
-///         if (crevice_effect_warm(effect, &ready)) break;  // and free the error
+///     crevice_error* error = NULL;
+///     for (bool ready = false; !ready && !error; draw_my_loading_screen())
+///         error = crevice_effect_warm(effect, &ready);
 CREVICE_API crevice_error* crevice_effect_warm(crevice_effect* effect, bool* ready);
 
 // ---- Geometry: for configs that draw the scene --------------------------------------------------
