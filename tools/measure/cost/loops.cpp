@@ -8,9 +8,9 @@ namespace crevice {
 namespace {
 
 /// The active tokens of a text, in it.
-class Reader {
+class LoopReader {
 public:
-    explicit Reader(const std::string& text) : unit_(defines_)
+    explicit LoopReader(const std::string& text) : unit_(defines_)
     {
         auto source = std::make_shared<SourceText>();
         source->text = text;
@@ -185,7 +185,7 @@ struct Writer {
 
 }  // namespace
 
-std::vector<GlslLoop> loopsOf(const std::string& text) { return Reader(text).loops(); }
+std::vector<GlslLoop> loopsOf(const std::string& text) { return LoopReader(text).loops(); }
 
 std::string withoutLoops(const std::string& text, const std::vector<GlslLoop>& loops, int twice)
 {
