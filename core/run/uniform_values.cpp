@@ -44,6 +44,7 @@ ValueTable::ValueTable(const Plan& plan) : plan_(plan)
     for (std::size_t i = 0; i < plan.boxes.size(); ++i) add(GlslType::mat4, 1);
     for (std::size_t i = 0; i < plan.params.size(); ++i)
         setParam(static_cast<int>(i), plan.params[i].initial.data());
+    write(view_size, glm::vec2(plan.extent.width, plan.extent.height));
 }
 
 void ValueTable::add(GlslType type, int count)
@@ -119,7 +120,6 @@ void ValueTable::setHistory(const FrameHistory& history, const CameraMatrices& c
 void ValueTable::setViewport(Extent extent)
 {
     const glm::dvec2 pixel(1.0 / extent.width, 1.0 / extent.height);
-    write(view_size, glm::vec2(plan_.extent.width, plan_.extent.height));
     write(viewport_size, glm::vec2(extent.width, extent.height));
     write(ray_from_pixel,
           glm::mat3(ray_from_uv_[0] * pixel.x, ray_from_uv_[1] * pixel.y, ray_from_uv_[2]));
