@@ -19,9 +19,9 @@ MAY_INCLUDE = {
 }
 # The layers of a library from the bottom up: a file may include its own layer and those before it.
 LAYERS = {
-    'core': 'base json glsl gpu frame sampling config compile run renderer'.split(),
+    'core': 'base json glsl gpu frame sampling config plan bake compile run renderer'.split(),
     'backends': 'gl context recording'.split(),
-    'tools': 'render/image commands/cli render/glsl show/schema show/plan render/scene measure/reference render/device render '
+    'tools': 'render/image bake commands/cli render/glsl show/schema show/plan render/scene measure/reference render/device render '
              'measure/cost measure/motion measure measure/bench measure/stress measure/matrix show/report show/view show/page commands '
              'examples'.split(),
 }

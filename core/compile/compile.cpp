@@ -67,28 +67,6 @@ void chooseOutputs(State& state)
     }
 }
 
-Status checkBytes(const Plan& plan, const Description& description)
-{
-    constexpr double kMiB = 1 << 20;
-    const auto mib = [](double bytes) { return significant(bytes / kMiB, 4) + " MiB"; };
-    const double bytes = plan.texture_bytes;
-    if (bytes <= description.limits.bytes) return {};
-    const auto smaller = [](const PlanTexture& a, const PlanTexture& b) {
-        return textureBytes(a) < textureBytes(b);
-    };
-    const PlanTexture& largest =
-        *std::max_element(plan.textures.begin(), plan.textures.end(), smaller);
-    return Diagnostic{
-        Code::over_limit,
-        "its textures take " + mib(bytes) + ", and at most " + mib(description.limits.bytes) +
-            " may be: " + std::to_string(plan.textures.size()) + " of them, the largest of " +
-            mib(textureBytes(largest)) + " for " + joined(largest.targets),
-        "ask for a smaller size, give targets a smaller format or `scale`, or raise "
-        "Limits::bytes (--limit bytes=" +
-            fixed(bytes, 0) + ")",
-        description.place};
-}
-
 // A mistake in GLSL that several passes or shaders share is one mistake.
 void dropRepeats(State& state)
 {
@@ -187,15 +165,16 @@ Result<Plan> compile(const Description& given, const SceneTraits& traits, const 
                      const CompileOptions& options)
 {
     using namespace compiler;
+    if (given.planner && given.planner != compilingPlanMaker())
+        return given.planner->plan(given, traits, caps, options);
     Description description = given;
     for (ParamDesc& param : description.params)
         param.value = sceneUnits(param, traits, options.extent.height);
     std::vector<Elided> elided;
     for (const Description::LeftOut& each : description.left_out)
         elided.push_back({"module " + each.module, "replaced", each.reason});
-    State asked = begin(description, traits, caps, options);
-    const std::optional<Description> fitted = fitBorders(asked, elided);
-    State state = fitted ? begin(*fitted, traits, caps, options) : std::move(asked);
+    const std::optional<Description> fitted = fitBorders(description, options, caps, elided);
+    State state = begin(fitted ? *fitted : description, traits, caps, options);
     state.elided = std::move(elided);
     checkRules(state);
     chooseOutputs(state);
@@ -217,6 +196,19 @@ Result<Plan> compile(const Description& given, const SceneTraits& traits, const 
     Plan plan = buildPlan(state);
     if (const Status fits = checkBytes(plan, description); !fits) return fits.diagnostics();
     return {std::move(plan), std::move(state.diagnostics)};
+}
+
+std::shared_ptr<const PlanMaker> compilingPlanMaker()
+{
+    struct Compiler : PlanMaker {
+        Result<Plan> plan(const Description& description, const SceneTraits& traits,
+                          const DeviceCaps& caps, const CompileOptions& options) const override
+        {
+            return compile(description, traits, caps, options);
+        }
+    };
+    static const auto made = std::make_shared<const Compiler>();
+    return made;
 }
 
 }  // namespace crevice

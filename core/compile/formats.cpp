@@ -3,7 +3,7 @@
 #include "core/compile/steps.h"
 
 #include "core/base/text.h"
-#include "core/compile/depth_precision.h"
+#include "core/plan/depth_precision.h"
 
 #include <cmath>
 

@@ -210,23 +210,14 @@ std::optional<Source> substitute(const State& state, const Pass& pass, int targe
     return targetNamed(state, gives->input.name);
 }
 
-// Whether a texture of `by` reads as one of `replaced` would that a pass has copied it into.
-bool storedAlike(const State& state, int replaced, int by)
-{
-    const FormatInfo& wanted = formatInfo(state.targets[replaced].format);
-    const FormatInfo& given = formatInfo(state.targets[by].format);
-    return given.format_class == wanted.format_class && given.channels >= wanted.channels &&
-           given.absolute_step == wanted.absolute_step &&
-           given.relative_step == wanted.relative_step;
-}
-
 // Whether each target that the no-op gives for another one is stored as that is.
 bool givesAlike(const State& state, const NoOpDesc& no_op)
 {
     return allOf(no_op.gives, [&](const NoOpDesc::Gives& each) {
         const int replaced = indexOf(state.description.targets, each.name);
         const int by = indexOf(state.description.targets, each.input.name);
-        return each.constant || replaced < 0 || by < 0 || storedAlike(state, replaced, by);
+        return each.constant || replaced < 0 || by < 0 ||
+               storedAlike(state.targets[replaced].format, state.targets[by].format);
     });
 }
 

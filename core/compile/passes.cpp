@@ -19,24 +19,6 @@ const Optimization kOptimizations[7] = {
     {"cached", "per frame, passes whose inputs have not changed"},
 };
 
-bool isMasked(const PlanPass& pass)
-{
-    return pass.type == PassType::fullscreen && pass.has_depth && pass.depth.load == LoadOp::load;
-}
-
-double textureBytes(const PlanTexture& texture)
-{
-    double texels = 0;
-    for (int level = 0; level == 0 || texture.mips; ++level) {
-        const auto edge = [level](int size) { return std::max(size >> level, 1); };
-        const double of_level =
-            double(edge(texture.extent.width)) * edge(texture.extent.height) * edge(texture.depth);
-        texels += of_level;
-        if (of_level == 1) break;
-    }
-    return texels * texture.samples * formatInfo(texture.format).bytes * texture.copies;
-}
-
 namespace compiler {
 namespace {
 
@@ -110,7 +92,6 @@ void addGeneratedAndImports(const State& state, Plan& plan)
     for (const GeneratedDesc& desc : state.description.generated) {
         if (used.count(desc.name) == 0) continue;
         plan.generated.push_back(desc);
-        plan.generated.back().count = generatedCount(state.description, desc);
     }
     for (const ImportDesc& desc : state.description.imports)
         if (used.count(desc.name) > 0 || supplied.count(desc.type) > 0)
@@ -204,17 +185,6 @@ void addMask(const Pass& pass, PlanPass& into)
     into.depth.load = LoadOp::load;
 }
 
-// As the config says, or more where a target's border of whole pixels shows more.
-float frustumScale(const State& state, const Pass& pass)
-{
-    const ParamDesc* param =
-        findNamed(state.description.params, pass.desc->frustum_scale_param.name);
-    const float scale = param ? param->value[0] : pass.desc->frustum_scale;
-    const std::vector<int> written = writtenBy(pass);
-    if (scale <= 0.0f || written.empty()) return scale;
-    return std::max(scale, viewsOf(state, written.front()));
-}
-
 void addPass(const State& state, const Pass& pass, Plan& plan)
 {
     const PassDesc& desc = *pass.desc;
@@ -226,19 +196,9 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
     result.state = desc.state;
     if (state.traits.reversed_depth) result.state.depth_test = reversed(desc.state.depth_test);
     result.over = indexOf(plan.passes, desc.over.name);
-    result.extent = state.options.extent;
-    if (const std::vector<int> written = writtenBy(pass); !written.empty()) {
-        result.extent = state.targets[written.front()].extent;
-        // What it draws over was resolved by the pass before.
-        result.samples = result.over < 0 ? state.targets[written.front()].samples : 1;
-    }
-    if (!pass.color.empty()) {
-        result.layers = state.targets[pass.color.front()].depth;
-        result.layers_at_once = layersAtOnce(pass);
-    }
+    if (!pass.color.empty()) result.layers_at_once = layersAtOnce(pass);
     if (const BoxDesc* box = findNamed(state.description.boxes, desc.box.name))
         result.box = addBox(state, *box, plan);
-    if (state.applies("frustum_culling")) result.frustum_scale = frustumScale(state, pass);
     addInputs(state, pass, result, plan);
     for (const int target : pass.color)
         result.color.push_back(attachment(state, pass, target, false, plan));
@@ -291,7 +251,7 @@ void addOutputs(const State& state, Plan& plan)
         }
     for (PlanTarget& target : plan.targets)
         if (state.targets[indexOf(state.description.targets, target.name)].remembered)
-            target.last_pass = end;
+            target.last_pass = end, target.history_texture = 0;
     for (const int index : state.outputs) {
         const OutputDesc& desc = state.description.outputs[index];
         const int target = indexOf(state.description.targets, desc.target.name);
@@ -304,21 +264,6 @@ void addOutputs(const State& state, Plan& plan)
             plan.targets[output.target].last_pass = end;
         }
         plan.outputs.push_back(std::move(output));
-    }
-}
-
-// What draws the scene often, for passes of boxes alone to read, takes some frames to do it again.
-void spreadOverFrames(Plan& plan)
-{
-    constexpr int kMostDraws = 20;  // of the scene in a frame
-    const auto outlives_frame = [&plan](const PlanAttachment& each) {
-        return each.target >= 0 &&
-               plan.targets[each.target].last_pass == static_cast<int>(plan.passes.size());
-    };
-    for (PlanPass& pass : plan.passes) {
-        const bool drawn_again = pass.box >= 0 && pass.type == PassType::draw && !plan.reruns;
-        if (!drawn_again || pass.layers == 0 || anyOf(pass.color, outlives_frame)) continue;
-        pass.frames = (pass.layers / pass.layers_at_once + kMostDraws - 1) / kMostDraws;
     }
 }
 
@@ -336,78 +281,12 @@ void discardUnread(Plan& plan)
     }
 }
 
-// The plan's textures, and until which pass each is busy.
-struct Slots {
-    std::vector<PlanTexture>& textures;
-    bool share;
-    std::vector<int> busy_until = {};
-
-    // One that is free by `first_pass`, or a new one: before pass 0 none is free. For what no pass
-    // reads, a part of a larger one will do as well, on devices that take it.
-    int take(const PlanTexture& wanted, int first_pass, int last_pass, bool part)
-    {
-        for (std::size_t i = 0; share && i < textures.size(); ++i) {
-            PlanTexture& each = textures[i];
-            const bool fits = part ? each.extent.width >= wanted.extent.width &&
-                                         each.extent.height >= wanted.extent.height
-                                   : each.extent == wanted.extent;
-            if (!fits || busy_until[i] >= first_pass || each.format != wanted.format ||
-                each.samples != wanted.samples || each.depth != wanted.depth ||
-                each.mips != wanted.mips)
-                continue;
-            each.targets.push_back(wanted.targets.front());
-            busy_until[i] = last_pass;
-            return static_cast<int>(i);
-        }
-        textures.push_back(wanted);
-        busy_until.push_back(last_pass);
-        return static_cast<int>(textures.size()) - 1;
-    }
-};
-
-// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.
-void shareTextures(const State& state, Plan& plan)
-{
-    Slots slots{plan.textures, state.applies("aliasing")};
-    for (PlanTarget& target : plan.targets) {
-        const int index = indexOf(state.description.targets, target.name);
-        const TargetDesc& desc = state.description.targets[index];
-        const Target& found = state.targets[index];
-        PlanTexture texture{found.format, found.extent, found.samples,
-                            found.depth,  desc.mips,    {target.name}};
-        if (found.remembered) {
-            texture.copies = plan.views;
-            target.texture = target.drawn_texture =
-                slots.take(texture, -1, target.last_pass, false);
-            texture.targets = {historyName(desc)};
-            target.history_texture = slots.take(texture, -1, target.last_pass, false);
-            continue;
-        }
-        const bool depth = formatInfo(found.format).format_class == FormatClass::depth;
-        const bool unread = target.last_pass == target.first_pass;
-        const bool resolved = found.samples > 1 && !unread;
-        const bool part = depth && unread && !state.caps.equal_attachments;
-        const int last_drawn = resolved ? target.first_pass : target.last_pass;
-        target.texture = target.drawn_texture =
-            slots.take(texture, target.first_pass, last_drawn, part);
-        if (resolved) {
-            texture.samples = 1;
-            target.texture = slots.take(texture, target.first_pass, target.last_pass, false);
-        }
-        const bool boxed = plan.passes[target.first_pass].box >= 0;  // and so of all views
-        if (target.last_pass == static_cast<int>(plan.passes.size()) && !boxed)
-            plan.textures[target.texture].copies = plan.views;
-    }
-}
-
 }  // namespace
 
 Plan buildPlan(const State& state)
 {
     Plan plan;
     plan.config = state.description.name;
-    plan.extent = state.options.extent;
-    plan.views = std::max(state.traits.views, 1);
     plan.reruns = !state.applies("cached");
     addGeneratedAndImports(state, plan);
     addTargets(state, plan);
@@ -415,10 +294,8 @@ Plan buildPlan(const State& state)
         if (state.passes[index].live) addPass(state, state.passes[index], plan);
     boundPasses(state, plan);
     addOutputs(state, plan);
-    shareTextures(state, plan);
     discardUnread(plan);
-    spreadOverFrames(plan);
-    for (const PlanTexture& texture : plan.textures) plan.texture_bytes += textureBytes(texture);
+    fitPlan(plan, state.description, state.traits, state.caps, state.options);
     plan.elided = elided(state);
     return plan;
 }

@@ -10,15 +10,6 @@
 namespace crevice::compiler {
 namespace {
 
-// A number as GLSL reads it; vectors are never defines.
-std::string literal(const ParamDesc& param)
-{
-    if (param.type == ParamType::int_) return std::to_string(static_cast<int>(param.value[0]));
-    std::string text = shortest(param.value[0]);
-    if (text.find_first_of(".e") == text.npos) text += ".0";
-    return text;
-}
-
 void addFeature(GlslDefines& defines, const FeatureDesc& feature)
 {
     const std::string name = upperCase(feature.name);
@@ -26,14 +17,6 @@ void addFeature(GlslDefines& defines, const FeatureDesc& feature)
     if (feature.boolean) return;
     for (std::size_t i = 0; i < feature.values.size(); ++i)
         defines[name + "_" + upperCase(feature.values[i])] = std::to_string(i);
-}
-
-// The resolution of a format, as GLSL.
-std::string stepsOf(Format format)
-{
-    const FormatInfo& info = formatInfo(format);
-    return "vec2(" + scientific(info.absolute_step, 3) + ", " + scientific(info.relative_step, 3) +
-           ")";
 }
 
 // What every shader may mention.
@@ -420,16 +403,17 @@ void readMask(State& state, Pass& pass)
     const int mask = indexOf(state.description.targets, pass.desc->mask.name);
     if (mask < 0 || (pass.over < 0 && !state.applies("depth_mask"))) return;
     const std::vector<int> own = writtenBy(pass);
-    const bool fits = !own.empty() && sizeOf(state, mask) == sizeOf(state, own.front()) &&
-                      askedSamples(state, mask) == 1 && askedSamples(state, own.front()) == 1;
+    const bool fits = !own.empty() &&
+                      sizeOf(state.description, mask, state.options.extent) ==
+                          sizeOf(state.description, own.front(), state.options.extent) &&
+                      askedSamples(state.description, mask) == 1 &&
+                      askedSamples(state.description, own.front()) == 1;
     const auto draws_it = [&](const Pass& each) { return each.active && each.depth == mask; };
     if (fits && anyOf(state.passes, draws_it))
         pass.reads.push_back({"", nullptr, {InputKind::target, mask}});
 }
 
 }  // namespace
-
-std::string stepDefine(const std::string& texture) { return upperCase(texture) + "_STEP"; }
 
 std::string declarationOf(const Description& description, const std::string& name)
 {
@@ -441,12 +425,6 @@ std::string declarationOf(const Description& description, const std::string& nam
                 ? upperCase(name)
                 : (isSampler(supply->type) ? "uniform highp " : "uniform ") +
                       spell(glslName(supply->type), name, supply->count) + ";");
-}
-
-int generatedCount(const Description& description, const GeneratedDesc& generated)
-{
-    const ParamDesc* param = findNamed(description.params, generated.count_param.name);
-    return param ? static_cast<int>(param->value[0]) : generated.count;
 }
 
 void readShaders(State& state)

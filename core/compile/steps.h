@@ -14,6 +14,8 @@
 
 #include <crevice/compile.h>
 
+#include "core/plan/sizes.h"
+
 #include <set>
 
 namespace crevice::compiler {
@@ -139,11 +141,7 @@ void checkFormats(State& state);
 void lintPrecision(State& state);
 
 // shaders.cpp
-/// The macro by which a shader allows for the steps of what a texture stores.
-std::string stepDefine(const std::string& texture);
 void readShaders(State& state);
-/// Offsets or pixels, from the param where one is named.
-int generatedCount(const Description& description, const GeneratedDesc& generated);
 
 // graph.cpp
 void findWriters(State& state);
@@ -162,20 +160,9 @@ inline std::optional<Source> resolveTarget(const State& state, int target)
 }
 
 // target_sizes.cpp
-/// The description with params lowered whose borders make targets larger than the device's
-/// textures, and what that leaves out; nothing where all fit. The first step, whose result all see.
-std::optional<Description> fitBorders(const State& state, std::vector<Elided>& elided);
-/// How large the target is, in pixels.
-Extent sizeOf(const State& state, int target);
-/// Layers of a target that is a volume, or 0.
-int depthOf(const State& state, int target);
 /// Layers of volumes that a pass draws at once: as often as `color` names each of them.
 int layersAtOnce(const Pass& pass);
-/// Views that a target shows that has a border or follows one: of width or height the more; or 0.
-float viewsOf(const State& state, int target);
 void chooseExtents(State& state);
-/// Samples of a pixel that the config asks for.
-int askedSamples(const State& state, int target);
 void chooseSamples(State& state);
 
 // passes.cpp

@@ -34,7 +34,7 @@ Diagnostics labelled(Diagnostics found, const std::string& label)
 Status Renderer::State::ready(Level& each)
 {
     execution->keep(each.programs);
-    const Result<Plan> plan = compile(each.description, traits, device->caps(), options);
+    const Result<Plan> plan = planOf(each.description, traits, options);
     auto programs = plan ? execution->prepare(*plan) : plan.diagnostics();
     if (!programs) return labelled(programs.diagnostics(), each.label);
     each.programs = std::move(*programs);
@@ -47,6 +47,7 @@ Status Renderer::setLevels(std::vector<Description> levels, int level)
     std::vector<State::Level> made;
     Diagnostics all;
     for (Description& each : levels) {
+        if (!each.planner) each.planner = state.description.planner;
         Status same = checkNeeds(each, levels.front());
         if (same) same = checkNeeds(levels.front(), each);
         if (!same) return same;

@@ -57,9 +57,9 @@ Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Renderer::~Renderer() = default;
 
-Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description description,
-                                                   const CompileOptions& options,
-                                                   const SceneTraits& traits)
+Result<std::unique_ptr<Renderer>> Renderer::createPlanned(Device& device, Description description,
+                                                          const CompileOptions& options,
+                                                          const SceneTraits& traits)
 {
     auto state =
         State{&device, valuesOf(description)}.with(std::move(description), options, traits);
@@ -236,6 +236,7 @@ Status Renderer::setFeature(std::string_view name, std::string_view value)
 
 Status Renderer::reload(Description description, const CompileOptions& options)
 {
+    if (!description.planner) description.planner = state_->description.planner;
     const Values loaded = valuesOf(description);
     Diagnostics all = carryOver(state_->loaded, state_->description, description);
     const Status status = state_->replan(std::move(description), options, false);

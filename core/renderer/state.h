@@ -4,8 +4,8 @@
 
 #include <crevice/renderer.h>
 
-#include "core/compile/depth_precision.h"
 #include "core/config/values.h"
+#include "core/plan/depth_precision.h"
 #include "core/run/execution.h"
 
 #include <cmath>
@@ -33,12 +33,18 @@ struct Renderer::State {
     std::vector<Level> levels = {};
     int level = -1;  ///< That is drawn, of those.
 
+    Result<Plan> planOf(const Description& other, const SceneTraits& scene,
+                        const CompileOptions& with_options) const
+    {
+        return other.planner->plan(other, scene, device->caps(), with_options);
+    }
+
     /// The state of another plan and its objects, made beside those of this one, without levels.
     /// `remember`: its histories go on.
     Result<State> with(Description other, const CompileOptions& with_options,
                        const SceneTraits& scene, bool remember = true) const
     {
-        Result<Plan> plan = compile(other, scene, device->caps(), with_options);
+        Result<Plan> plan = planOf(other, scene, with_options);
         if (!plan) return plan.diagnostics();
         auto made = Execution::create(*device, std::move(*plan), execution.get(), remember);
         if (!made) return made.diagnostics();
@@ -125,7 +131,7 @@ struct Renderer::State {
                 Description set = description;
                 set.features[i].value = static_cast<int>(word);
                 applyLevel(set, feature.name);
-                const Result<Plan> plan = compile(set, traits, device->caps(), options);
+                const Result<Plan> plan = planOf(set, traits, options);
                 const auto made = plan ? execution->prepare(*plan) : plan.diagnostics();
                 for (Diagnostic each : made ? Diagnostics() : made.diagnostics()) {
                     each.message =
@@ -191,7 +197,7 @@ struct Renderer::State {
         if (moved == scene && formatsHold(scene)) {  // histories go on
             if (Status status = execution->setImports(frame); !status) return status;
             traits = scene;
-            return compile(description, traits, device->caps(), options).diagnostics();
+            return planOf(description, traits, options).diagnostics();
         }
         Result<State> next = with(description, options, scene);
         if (!next) return next.diagnostics();

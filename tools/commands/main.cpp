@@ -106,7 +106,7 @@ int run(int argc, char** argv)
          {addRenderCommand, addValidateCommand, addExplainCommand, addDoctorCommand,
           addCompareCommand, addReferenceCommand, addBenchCommand, addReportCommand,
           addChooseCommand, addCostCommand, addSchemaCommand, addStressCommand, addTestCommand,
-          addViewCommand, addLookCommands})
+          addBakeCommand, addViewCommand, addLookCommands})
         add(app, exit_code);
     try {
         app.parse(argc, argv);

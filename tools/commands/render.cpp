@@ -10,7 +10,7 @@
 #include "tools/show/plan/print.h"
 
 #include "core/base/text.h"
-#include "core/compile/depth_precision.h"
+#include "core/plan/depth_precision.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -131,6 +131,7 @@ Result<Description> loadWatched(const RenderOptions& options, const SourceSet& s
 {
     const ConfigOptions& config = options.config;
     files.add(config.config);
+    if (namesBaked(config)) return loadDescription(config, sources);
     const Result<Node> document = loadConfig(sources, requestOf(config));
     files.add(document.diagnostics());
     if (!document) return document.diagnostics();

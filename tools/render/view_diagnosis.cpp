@@ -2,7 +2,7 @@
 #include "tools/render/view_diagnosis.h"
 
 #include "core/base/text.h"
-#include "core/compile/depth_precision.h"
+#include "core/plan/depth_precision.h"
 #include "core/config/values.h"
 #include "tools/commands/cli/output.h"
 #include "tools/render/device/open_device.h"

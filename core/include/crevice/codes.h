@@ -34,6 +34,8 @@ enum class Code : int {
     format_version = 1207,    ///< `format` is missing or newer than this library.
     module_clash = 1208,      ///< Two modules in `extends` that provide the same part.
     over_limit = 1209,        ///< More files, passes, targets or bytes than `Limits` allow.
+    baked_broken = 1301,      ///< Bytes that are no baked effect, or a damaged one.
+    baked_version = 1302,     ///< A baked effect of another version of crevice.
 
     // references and graph
     shader_missing = 2101,      ///< A pass names a shader that is not declared.
@@ -58,6 +60,7 @@ enum class Code : int {
     dead_pass = 2212,     ///< A pass that no output needs, whichever is asked for (a warning).
     box_input = 2213,     ///< A pass of a box reads what the camera sees.
     no_draw_list = 2214,  ///< A pass draws the scene, which nothing imports.
+    not_baked = 2301,     ///< Something that a baked effect was not baked for.
 
     // keys and types
     unknown_key = 3001,  ///< A key that the format does not have.

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <crevice/document.h>
-#include <crevice/frame.h>
+#include <crevice/plan.h>
 
 #include <array>
 
@@ -255,6 +255,8 @@ struct Description : Named {
     /// About names that nothing uses: `compile` reports them where no other error might be why.
     Diagnostics unused;
     std::map<std::string, SourceRef> files;  ///< Every GLSL file, includes too, by path.
+    /// What makes its plans: `compile` where it is null. One that was baked brings its own.
+    std::shared_ptr<const PlanMaker> planner = nullptr;
 };
 
 /// Decodes a merged document and reads the GLSL files it names, with what they include, from

@@ -163,4 +163,24 @@ struct Plan {
     double texture_bytes = 0;  ///< Of `textures`, with all their copies.
 };
 
+/// What a plan is made for, beside a description, a scene and a device.
+struct CompileOptions {
+    Extent extent;
+    std::vector<std::string> outputs = {};  ///< Names; empty means all but OutputDesc::on_request.
+    std::vector<std::string> disable = {};  ///< Names of optimizations to switch off, or "all".
+    bool strict = false;  ///< What of a frame no shader could draw is an error, not a warning.
+};
+
+struct Description;
+
+/// Makes plans of a description: `compile`, or a baked effect (<crevice/baked.h>).
+class PlanMaker {
+public:
+    virtual ~PlanMaker() = default;
+
+    /// Errors and warnings: those of `compile`, or of readBaked.
+    virtual Result<Plan> plan(const Description& description, const SceneTraits& traits,
+                              const DeviceCaps& caps, const CompileOptions& options) const = 0;
+};
+
 }  // namespace crevice

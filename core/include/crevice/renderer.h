@@ -11,7 +11,7 @@
 // trait or a param that is bound as a define changes.
 #pragma once
 
-#include <crevice/compile.h>
+#include <crevice/config.h>
 
 namespace crevice {
 
@@ -27,6 +27,11 @@ public:
     static Result<std::unique_ptr<Renderer>> create(Device& device, Description description,
                                                     const CompileOptions& options,
                                                     const SceneTraits& traits);
+
+    /// The same of a description that has its planner, as baked ones have: links no compiler.
+    static Result<std::unique_ptr<Renderer>> createPlanned(Device& device, Description description,
+                                                           const CompileOptions& options,
+                                                           const SceneTraits& traits);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

@@ -2,17 +2,21 @@
 #include "tools/commands/cli/load_config.h"
 
 #include "core/base/content_hash.h"
+#include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/config/decode_report.h"
 #include "core/config/values.h"
 #include "core/json/merge.h"
 
+#include <crevice/baked.h>
 #include <crevice/shipped.h>
 
 #include <nlohmann/json.hpp>
 
 namespace crevice {
 namespace {
+
+constexpr std::string_view kBakedEnding = ".crevice";
 
 void addNode(ContentHash& hash, const Node& node)
 {
@@ -40,7 +44,63 @@ void shorten(nlohmann::ordered_json& patch, const Node& base)
     }
 }
 
+/// Gives a param or feature of the description the value of "name=value". Errors: CV8001, and
+/// those of checkValue.
+Status setBaked(Description& description, const std::string& text)
+{
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string name = text.substr(0, equals),
+                      value = text.substr(std::min(equals + 1, text.size()));
+    const int feature = indexOf(description.features, name);
+    const int param = indexOf(description.params, name);
+    if (feature >= 0) {
+        FeatureDesc& desc = description.features[static_cast<std::size_t>(feature)];
+        const auto word = std::find(desc.values.begin(), desc.values.end(), value);
+        if (word == desc.values.end())
+            return Diagnostic{Code::usage, "'" + name + "' cannot be '" + value + "'",
+                              suggestName(value, desc.values, name)};
+        desc.value = static_cast<int>(word - desc.values.begin());
+        applyLevel(description, name);
+        return {};
+    }
+    if (param < 0)
+        return Diagnostic{Code::usage, "the baked effect has no param '" + name + "'",
+                          suggestName(name, namesOf(description.params), "params")};
+    ParamDesc& desc = description.params[static_cast<std::size_t>(param)];
+    const std::optional<double> number = parseNumber(value);
+    const float first = static_cast<float>(number.value_or(0));
+    if (!number && isLength(desc) && takeLength(value, desc.value)) return {};
+    if (!number || componentCount(desc.type) != 1)
+        return Diagnostic{Code::usage, "'" + value + "' is no number, as '" + name + "' has",
+                          "write --set " + name + "=1"};
+    if (Status fits = checkValue(desc, &first, 1); !fits) return fits;
+    desc.value = {first};
+    return {};
+}
+
+/// Reads "effect.crevice", or one of several configs of it, "effect.crevice:mobile".
+Result<Description> loadBaked(const ConfigOptions& options)
+{
+    const std::size_t end = options.config.rfind(kBakedEnding) + kBakedEnding.size();
+    const std::string file = options.config.substr(0, end);
+    const FileBytes bytes = readBytes(file, 1u << 26);
+    if (!bytes)
+        return Diagnostic{Code::module_missing, "the file '" + file + "' " + absenceOf(file)};
+    auto baked = readBaked(bytes.bytes.data(), bytes.bytes.size());
+    if (!baked) return baked.diagnostics();
+    auto one = bakedConfig(
+        std::move(*baked),
+        std::string_view(options.config).substr(std::min(end + 1, options.config.size())));
+    if (!one) return one.diagnostics();
+    one->description.limits = options.limits;
+    for (const std::string& each : options.overrides)
+        if (Status set = setBaked(one->description, each); !set) return set.diagnostics();
+    return std::move(one->description);
+}
+
 }  // namespace
+
+bool namesBaked(const ConfigOptions& options) { return has(options.config, kBakedEnding); }
 
 LoadRequest requestOf(const ConfigOptions& options)
 {
@@ -68,6 +128,7 @@ void fitLengths(Description& description, const Node& document, const char* leng
 Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources,
                                     bool fits, const char* length)
 {
+    if (namesBaked(options)) return loadBaked(options);
     const Result<Node> document = loadConfig(sources, requestOf(options));
     if (!document) return document.diagnostics();
     Result<Description> description = decode(*document, sources, options.limits);

@@ -26,6 +26,9 @@ constexpr const char* kShareOfScene = "5%";
 /// the description's.
 void fitLengths(Description& description, const Node& document, const char* length);
 
+/// Whether it is a baked effect, "effect.crevice" or one config of it, "effect.crevice:mobile".
+bool namesBaked(const ConfigOptions& options);
+
 /// Loads, merges, decodes, and where it `fits` has lengths fitted to `length`. Errors: those of
 /// loadConfig and decode.
 Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The closed forms behind the choice of formats.
-#include "core/compile/depth_precision.h"
+#include "core/plan/depth_precision.h"
 
 #include "core/base/text.h"
 #include "core/config/values.h"

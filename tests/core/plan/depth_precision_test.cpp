@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How finely formats distinguish surfaces, against the projections themselves in double.
-#include "core/compile/depth_precision.h"
+#include "core/plan/depth_precision.h"
 
 #include "tests/support/catch.h"
 

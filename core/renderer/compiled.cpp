@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The one place where a renderer meets the compiler.
+#include <crevice/compile.h>
+#include <crevice/renderer.h>
+
+namespace crevice {
+
+Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description description,
+                                                   const CompileOptions& options,
+                                                   const SceneTraits& traits)
+{
+    if (!description.planner) description.planner = compilingPlanMaker();
+    return createPlanned(device, std::move(description), options, traits);
+}
+
+}  // namespace crevice
