@@ -153,7 +153,7 @@ RULES = [
      [('tools/x.cpp', 'std::printf(x);'), ('tools/x.cpp', 'std::cout << x;')]),
     ('files are opened where pipes, devices and endless files are refused', 'core backends effects tools',
      words(r'\b(?:[io]?fstream|fopen|freopen|fdopen)\b'),
-     ('core/base/source.cpp', 'tools/render/image/image_file.cpp', 'tools/measure/line_file.cpp'),
+     ('core/base/files.cpp', 'tools/render/image/image_file.cpp', 'tools/measure/line_file.cpp'),
      [('tools/x.cpp', 'std::ifstream file(path);')]),
     ('no library names a config', 'core backends effects',
      lambda source: [each for each in configs if '"%s"' % each in source.code or each + '.json' in source.code], (),

@@ -45,7 +45,11 @@ Diagnostics explain(GlApi& gl, const GlslStage& stage, Code code, const std::str
 {
     const Status errors = takeErrors(gl, "createProgram", label.c_str());
     if (log.empty() && !errors) return errors.diagnostics();
-    Diagnostics diagnostics = explainLog(stage, code, log);
+    Diagnostics diagnostics;
+    if (stage.explain)
+        diagnostics = stage.explain(stage, code, log);
+    else
+        diagnostics.push_back({code, log});
     if (!hasErrors(diagnostics))
         diagnostics.push_back({code, "the shader '" + label + "' does not " + what +
                                          " and the driver does not say why"});

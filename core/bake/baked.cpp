@@ -72,9 +72,9 @@ bool isWhole(const Description& description)
     };
     const auto sound = [&](const TargetDesc& target) {
         const SizeDesc& size = target.size;
-        return !target.formats.empty() && anyFormat(target) && ends(target) && target.samples >= 1 &&
-               target.samples <= kMaxSamples && size.scale >= kSmallestScale &&
-               size.scale <= kLargestScale;
+        return !target.formats.empty() && anyFormat(target) && ends(target) &&
+               target.samples >= 1 && target.samples <= kMaxSamples &&
+               size.scale >= kSmallestScale && size.scale <= kLargestScale;
     };
     return allOf(description.features, fits) && allOf(description.targets, sound);
 }

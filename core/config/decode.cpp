@@ -292,27 +292,6 @@ std::string numberText(double number) { return significant(number, 10); }
 
 namespace crevice {
 
-double valueOf(const ProductDesc& product, const std::vector<ParamDesc>& params)
-{
-    double value = product.factor;
-    for (const Reference& each : product.params)
-        if (const ParamDesc* param = findNamed(params, each.name)) value *= double{param->value[0]};
-    return value;
-}
-
-int componentCount(ParamType type)
-{
-    constexpr int kCounts[] = {1, 1, 2, 3, 4};  // in the order of ParamType
-    return kCounts[static_cast<int>(type)];
-}
-
-GlslType glslTypeOf(ParamType type)
-{
-    constexpr GlslType kTypes[] = {GlslType::float_, GlslType::int_, GlslType::vec2, GlslType::vec3,
-                                   GlslType::vec4};
-    return kTypes[static_cast<int>(type)];
-}
-
 Result<Description> decode(const Node& document, const SourceSet& sources, const Limits& limits)
 {
     using namespace table;

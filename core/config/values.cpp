@@ -61,6 +61,27 @@ void carryFeature(const FeatureDesc& old, Description& next, Diagnostics& warnin
 
 }  // namespace
 
+double valueOf(const ProductDesc& product, const std::vector<ParamDesc>& params)
+{
+    double value = product.factor;
+    for (const Reference& each : product.params)
+        if (const ParamDesc* param = findNamed(params, each.name)) value *= double{param->value[0]};
+    return value;
+}
+
+int componentCount(ParamType type)
+{
+    constexpr int kCounts[] = {1, 1, 2, 3, 4};  // in the order of ParamType
+    return kCounts[static_cast<int>(type)];
+}
+
+GlslType glslTypeOf(ParamType type)
+{
+    constexpr GlslType kTypes[] = {GlslType::float_, GlslType::int_, GlslType::vec2, GlslType::vec3,
+                                   GlslType::vec4};
+    return kTypes[static_cast<int>(type)];
+}
+
 Status checkValue(const ParamDesc& param, const float* values, int count)
 {
     const int components = componentCount(param.type);

@@ -8,11 +8,6 @@
 namespace crevice {
 namespace {
 
-/// In the order of GlslType.
-constexpr const char* kTypes[] = {"float",     "vec2",        "vec3",      "vec4", "int",  "ivec2",
-                                  "ivec3",     "ivec4",       "uint",      "bool", "mat3", "mat4",
-                                  "sampler2D", "sampler2DMS", "sampler3D", "other"};
-
 /// The defines that the text mentions, or that the values of such defines mention.
 std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit& unit)
 {
@@ -236,16 +231,6 @@ std::optional<std::string> plainVariable(std::string_view line, const std::strin
 
 }  // namespace
 
-const char* glslName(GlslType type) { return kTypes[static_cast<int>(type)]; }
-
-GlslType glslTypeFromName(std::string_view name)
-{
-    const auto* const known = std::find(std::begin(kTypes), std::end(kTypes) - 1, name);
-    return static_cast<GlslType>(known - std::begin(kTypes));
-}
-
-bool isSampler(GlslType type) { return type >= GlslType::sampler2d && type <= GlslType::sampler3d; }
-
 std::vector<GlslInclude> findIncludes(const SourceRef& source)
 {
     std::vector<GlslInclude> includes;
@@ -273,6 +258,7 @@ Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
         stage.text += "#define " + name + " " + onOneLine(defines.at(name)) + "\n";
     stage.text += unit.text;
     stage.files = std::move(unit.files);
+    stage.explain = explainLog;
     return {std::move(stage), std::move(unit.errors)};
 }
 

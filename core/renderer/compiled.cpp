@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The one place where a renderer meets the compiler.
-#include <crevice/compile.h>
 #include <crevice/renderer.h>
+
+#include <crevice/compile.h>
 
 namespace crevice {
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <crevice/effect.h>
 
+#include <crevice/baked.h>
 #include <crevice/governor.h>
 #include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
-#include "effects/api/front.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -191,17 +189,12 @@ Effect::Effect(Effect&&) noexcept = default;
 Effect& Effect::operator=(Effect&&) noexcept = default;
 Effect::~Effect() = default;
 
-Result<Effect> Effect::create(Device& device, std::string_view config, Extent size,
-                              std::vector<std::string> outputs, const Limits* limits)
+Result<Effect> Effect::create(Device& device, Description description, Extent size,
+                              std::vector<std::string> outputs)
 {
-    const LoadRequest request{std::string(config), {}, {}, {}, limits ? *limits : Limits()};
-    const Result<Node> document = loadConfig(shippedSources(), request);
-    if (!document) return document.diagnostics();
-    Result<Description> description = decode(*document, shippedSources(), request.limits);
-    if (!description) return description.diagnostics();
     auto state = std::make_unique<State>(device);
-    auto renderer = Renderer::create(device, std::move(*description),
-                                     {size, std::move(outputs), {}}, traitsOf(state->frame));
+    auto renderer = Renderer::createPlanned(device, std::move(description),
+                                            {size, std::move(outputs), {}}, traitsOf(state->frame));
     if (!renderer) return renderer.diagnostics();
     state->renderer = std::move(*renderer);
     return {Effect(std::move(state)), renderer.diagnostics()};
@@ -302,24 +295,17 @@ Result<bool> Effect::warm()
     return state_->governing() ? state_->warmLevels() : state_->renderer->warm(state_->frame);
 }
 
-Status Effect::govern(std::vector<FrontLevel> levels, const GovernorOptions& options,
-                      const Limits* limits)
+Status Effect::govern(const std::vector<BakedConfig>& levels, const GovernorOptions& options)
 {
-    Result<Governor> governor = Governor::create(std::move(levels), options);
-    if (!governor) return governor.diagnostics();
+    std::vector<FrontLevel> front;
     std::vector<Description> descriptions;
-    const Status loaded = loadLevels(governor->levels(), [&](const FrontLevel& level) -> Status {
-        const Limits most = limits ? *limits : Limits();
-        auto document = loadConfig(shippedSources(), {level.name, {}, level.set, {}, most});
-        if (!document) return document.diagnostics();
-        auto description = decode(*document, shippedSources(), most);
-        if (description) descriptions.push_back(std::move(*description));
-        return description.diagnostics();
-    });
-    if (!loaded) return loaded;
-    Diagnostics all = loaded.diagnostics();
-    append(all, govern(std::move(*governor), std::move(descriptions)).diagnostics());
-    return all;
+    for (const BakedConfig& each : levels) {
+        front.push_back({{each.name}, each.set, each.ms, each.error});
+        descriptions.push_back(each.description);
+    }
+    Result<Governor> governor = Governor::create(std::move(front), options);
+    if (!governor) return governor.diagnostics();
+    return govern(std::move(*governor), std::move(descriptions));
 }
 
 Status Effect::govern(Governor governor, std::vector<Description> levels)

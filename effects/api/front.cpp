@@ -65,28 +65,6 @@ FrontLevel readLevel(table::Report& report, table::Cursor entry)
 
 }  // namespace
 
-Status checkFront(const std::vector<FrontLevel>& levels)
-{
-    if (levels.empty() || levels.size() > kMostLevels)
-        return Diagnostic{Code::bad_length,
-                          "a front has " + std::to_string(levels.size()) + " levels",
-                          "give it 1 to " + std::to_string(kMostLevels)};
-    double before = 0;
-    for (const FrontLevel& each : levels) {
-        const bool finite = std::isfinite(each.ms) && std::isfinite(each.error);
-        if (!finite || each.ms <= before || each.error < 0)
-            return Diagnostic{finite ? Code::out_of_range : Code::not_finite,
-                              "level '" + each.name + "' has " + significant(each.ms, 6) +
-                                  " ms and an error of " + significant(each.error, 6) +
-                                  ", wanted more than " + significant(before, 6) +
-                                  " ms and an error of 0 or more",
-                              "sort levels by their milliseconds; an error of 0 is not known",
-                              each.place, each.pointer};
-        before = each.ms;
-    }
-    return {};
-}
-
 Result<std::vector<FrontLevel>> readFront(const std::string& front)
 {
     const Result<SourceRef> source = openFront(front);

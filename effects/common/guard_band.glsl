@@ -10,7 +10,7 @@
 #endif
 
 // Pixels on either side, in a texture of `size` texels. That is the view and twice the band, and the band is
-// ceil(view * (GUARD_BAND - 1) / 2 - 0.01) (core/compile/target_sizes.cpp). So it is the one whole number that is less
+// ceil(view * (GUARD_BAND - 1) / 2 - 0.01) (core/plan/sizes.cpp). So it is the one whole number that is less
 // than half a pixel, divided by GUARD_BAND, from (size - (size - 0.98) / GUARD_BAND) / 2: that, rounded.
 highp vec2 bandOf(highp vec2 size)
 {

@@ -25,6 +25,11 @@ mkdir -p "$seeds"
 for file in configs/*.json configs/*/*.json effects/*/*.json tests/fuzz/{seeds,found}/*; do
     if [[ -f $file ]]; then cp -- "$file" "$seeds/${file//\//_}"; fi
 done
+# Baked effects, where this machine's build can make them.
+crevice=${CREVICE:-build/ci/tools/crevice}
+for config in mobile+geometry/host_depth gtao balanced_temporal; do
+    [[ ! -x $crevice ]] || "$crevice" bake "$config" --out "$seeds/${config//\//_}.crevice" 2>/dev/null
+done
 # The malformed configs, as tests/support/bad_corpus.h describes their files.
 for group in tests/data/bad/*.txt; do
     LC_ALL=C awk -v out="$seeds/$(basename "$group" .txt)_" '
@@ -44,10 +49,10 @@ done
 # Every word of the format and all that the seeds have in quotes, for libFuzzer to combine.
 grep -ohE '"[a-z_.]+"' docs/config.schema.json "$seeds"/*.json | sort -u | sed -E 's/"(.*)"/"\\"\1\\""/' > "$out/words.dict"
 
-for fuzzer in document config; do
+for fuzzer in document config baked; do
     printf '\n-- %s, %s s\n' "$fuzzer" "$seconds"
     mkdir -p "$out/corpus/$fuzzer"
-    "$out/tests/fuzz/crevice_fuzz_$fuzzer" -max_total_time="$seconds" -timeout=10 -max_len=8192 \
+    "$out/tests/fuzz/crevice_fuzz_$fuzzer" -max_total_time="$seconds" -timeout=10 -max_len=32768 \
         -dict="$out/words.dict" -artifact_prefix="$out/" -print_final_stats=1 \
         "$out/corpus/$fuzzer" "$seeds" 2>&1 | grep -vE '^(#|"|INFO|[[:space:]]*NEW_FUNC)'
 done

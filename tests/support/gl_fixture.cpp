@@ -34,6 +34,7 @@ GlslStage stage(const std::string& text)
     GlslStage made;
     made.text = text;
     made.files = {std::make_shared<SourceText>(SourceText{"test.glsl", text})};
+    made.explain = explainLog;
     return made;
 }
 

@@ -43,7 +43,7 @@ Result<std::string> bake(const std::vector<BakeRequest>& requests, const BakeOpt
 /// Errors: CV5009 where it cannot be read.
 Result<std::string> stripped(const std::string& text, const std::vector<std::string>& late);
 
-/// Which of the macros that the text begins with decide no #if of it.
+/// Which of the macros that the text begins with have no value that an #if of it asks for.
 std::vector<std::string> lateMacros(const std::string& text, const std::vector<std::string>& names);
 
 /// What `unpack` (core/bake/pack.h) reads.

@@ -139,7 +139,7 @@ Status keepDirectives(const std::vector<GlslLine>& lines, GlslUnit& unit, std::s
     return {};
 }
 
-/// Blanks out what only tells lines, and #defines of those names.
+/// Without what only tells lines; macros of those names stand for themselves.
 std::string withoutLines(const std::string& text, const std::vector<std::string>& late)
 {
     std::string kept;
@@ -147,7 +147,11 @@ std::string withoutLines(const std::string& text, const std::vector<std::string>
     for (const GlslLine& line : glslLines(blanked.text, 0)) {
         const bool named = line.isDirective() && line.directive() == "define" &&
                            line.tokens.size() > 2 && contains(late, line.tokens[2].text);
-        if (!named && !(line.isDirective() && line.directive() == "line")) kept += line.text;
+        if (named)
+            kept += "#define " + std::string(line.tokens[2].text) + " " +
+                    std::string(line.tokens[2].text) + "\n";
+        else if (!line.isDirective() || line.directive() != "line")
+            kept += line.text;
     }
     return kept;
 }
@@ -161,13 +165,17 @@ std::vector<std::string> lateMacros(const std::string& text, const std::vector<s
     std::set<std::string, std::less<>> deciding;
     const auto add = [&](const GlslLine& line, std::size_t from) {
         bool more = false;
-        for (std::size_t i = from; i < line.tokens.size(); ++i)
-            if (line.tokens[i].kind == Kind::identifier)
+        for (std::size_t i = from; i < line.tokens.size(); ++i) {
+            const bool asked = line.tokens[i - 1].is("defined") ||
+                               (line.tokens[i - 1].is("(") && line.tokens[i - 2].is("defined"));
+            if (line.tokens[i].kind == Kind::identifier && !asked)
                 more = deciding.insert(std::string(line.tokens[i].text)).second || more;
+        }
         return more;
     };
+    // Whether a macro is defined decides as well, and does not change with its value.
     for (const GlslLine& line : lines)
-        if (line.isDirective() && line.directive() != "define" && line.directive() != "line")
+        if (line.isDirective() && (line.directive() == "if" || line.directive() == "elif"))
             add(line, 2);
     for (bool more = true; more;) {  // what a macro that decides stands for
         more = false;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # `cmake --install`: libcrevice, which is the C API, and the three C++ libraries, with their headers, so that
-# find_package(crevice) gives crevice::crevice, and crevice::core, crevice::backends and crevice::effects; crevice.pc;
+# find_package(crevice) gives crevice::crevice, crevice::runtime, and crevice::core, crevice::backends and
+# crevice::effects, and crevice_bake; crevice.pc;
 # and the command, where it is built. A component is a Debian package (tools/cmake/packages.cmake).
 include(CMakePackageConfigHelpers)
 
@@ -9,7 +10,7 @@ set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/crevice)
 install(TARGETS crevice_c EXPORT creviceTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-install(TARGETS crevice_core crevice_backends crevice_effects EXPORT creviceTargets
+install(TARGETS crevice_core crevice_backends crevice_effects crevice_runtime EXPORT creviceTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 
 # Only what a host may include, as <crevice/...>; all other headers are the libraries' own.
@@ -26,6 +27,7 @@ configure_package_config_file(tools/cmake/creviceConfig.cmake.in creviceConfig.c
 install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/creviceConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/creviceConfigVersion.cmake
+  tools/cmake/crevice_bake.cmake
   DESTINATION ${config_dir} COMPONENT development)
 
 # The prefix is where the file is found, so that an installed tree may be moved.

@@ -10,13 +10,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#ifdef HELLO_BAKED  // by crevice bake gtao+geometry/host_depth --output ao --header hello_baked.h
+#include "hello_baked.h"
+#endif
+
 enum { kWidth = 256, kHeight = 144 };
 
 static const float kNear = 0.1f, kFar = 100.0f, kScale = 1.7320508f;  // 60 degrees high
-
-static const char kConfig[] =
-    "{ \"format\": 1, \"name\": \"hello\","
-    "  \"extends\": [\"geometry/host_depth\", \"ssao/gtao\", \"filter/bilateral_normal\"] }";
 
 /// Ends the program where something failed, and says why.
 static void need(crevice_error* error)
@@ -55,7 +55,15 @@ static GLuint make_depth(void)
 static crevice_effect* make_effect(crevice_device* device)
 {
     crevice_effect_desc desc = {
-        .struct_size = sizeof desc, .config = kConfig, .width = kWidth, .height = kHeight};
+        .struct_size = sizeof desc, .width = kWidth, .height = kHeight};
+#ifdef HELLO_BAKED
+    desc.baked = hello_baked;
+    desc.baked_size = hello_baked_size;
+#else
+    desc.config =
+        "{ \"format\": 1, \"name\": \"hello\","
+        "  \"extends\": [\"geometry/host_depth\", \"ssao/gtao\", \"filter/bilateral_normal\"] }";
+#endif
     crevice_effect* effect = NULL;
     need(crevice_effect_create(device, &desc, &effect));
     return effect;

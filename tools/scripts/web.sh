@@ -6,7 +6,8 @@ set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 command -v em++ >/dev/null || { echo "web.sh: no em++; apt-get install emscripten" >&2; exit 1; }
 export NODE_PATH=/usr/share/nodejs  # of Debian's node-acorn, for a Node.js that is not Debian's
-cmake -G Ninja -S . -B build/web --toolchain tools/cmake/web.cmake -DCMAKE_BUILD_TYPE=MinSizeRel \
+source tools/scripts/built_crevice.sh  # which bakes what the page draws
+cmake -G Ninja -S . -B build/web -DCREVICE_COMMAND="$(realpath -- "$CREVICE")" --toolchain tools/cmake/web.cmake -DCMAKE_BUILD_TYPE=MinSizeRel \
     -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10 \
     -DCREVICE_TOOLS=OFF -DCREVICE_TESTS=OFF -DCREVICE_INSTALL=OFF -DCREVICE_WERROR=ON "$@"
 cmake --build build/web

@@ -65,6 +65,9 @@ struct GlslStage {
     std::vector<GlslOutput> outputs;
     std::vector<GlslUniform> blocks;        ///< Uniform blocks by name, which a host alone fills.
     std::vector<std::string> defines_used;  ///< Of those offered, the ones that the text mentions.
+
+    /// What makes diagnostics of a driver's log: explainLog, or null for the log as it is.
+    Diagnostics (*explain)(const GlslStage& stage, Code code, const std::string& log) = nullptr;
 };
 
 using GlslDefines = std::map<std::string, std::string>;

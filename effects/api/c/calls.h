@@ -42,15 +42,28 @@ Status firstOf(Status first, More... more)
     return first;
 }
 
+/// False where the call threw. In the runtime, built without exceptions, one ends the process.
+template <class Call>
+bool calledWhole(const Call& call) noexcept
+{
+#ifdef __cpp_exceptions
+    try {
+        call();
+    } catch (...) {
+        return false;
+    }
+#else
+    call();
+#endif
+    return true;
+}
+
 /// Runs `call`, which gives a Status; exceptions, such as those of a host's callback, end here.
 template <class Call>
 crevice_error* guarded(const Call& call) noexcept
 {
-    try {
-        return errorOf(call());
-    } catch (...) {
-        return outOfMemory();
-    }
+    crevice_error* error = nullptr;
+    return calledWhole([&] { error = errorOf(call()); }) ? error : outOfMemory();
 }
 
 /// A struct as this version has it.

@@ -17,11 +17,7 @@ void callHost(const DrawCall& call, void* host)
 {
     const HostDraw& draw = *static_cast<const HostDraw*>(host);
     const crevice_draw_call made = {sizeof made, call.pass, call.program, &call};
-    try {
-        draw.callback(&made, draw.user);
-    } catch (...) {
-        *draw.threw = true;
-    }
+    if (!calledWhole([&] { draw.callback(&made, draw.user); })) *draw.threw = true;
 }
 
 std::uint32_t indicesOf(const SharedMesh& mesh)

@@ -10,10 +10,6 @@ using namespace crevice;
 
 namespace {
 
-/// What an effect begins as, before its own description: at intensity 0 nothing is drawn.
-constexpr const char* kBlank = R"({ "format": 1, "name": "blank", "params": { "intensity": 0 },
-    "extends": ["geometry/host_depth", "ssao/hemisphere"] })";
-
 Result<EffectRequest> requestOf(const crevice_effect_desc& desc)
 {
     EffectRequest request{textOf(desc.config), textOf(desc.folder), textOf(desc.patch), {}, {}};
@@ -27,7 +23,13 @@ Result<EffectRequest> requestOf(const crevice_effect_desc& desc)
     if (!(desc.max_bytes >= 0))
         return Diagnostic{Code::bad_input, "a limit of the config is below 0"};
     if (desc.max_bytes > 0) limits.bytes = desc.max_bytes;
-    if (Status given = checkGiven(desc.config, "the config"); !given) return given.diagnostics();
+    if (desc.baked) {
+        auto baked = readBaked(desc.baked, desc.baked_size);
+        if (!baked) return baked.diagnostics();
+        request.baked = std::make_shared<const std::vector<BakedConfig>>(std::move(*baked));
+    } else if (Status given = checkGiven(desc.config, "the config"); !given) {
+        return given.diagnostics();
+    }
     if (desc.output_count < 0) return Diagnostic{Code::bad_input, "output_count is below 0"};
     for (int i = 0; i < desc.output_count; ++i) {
         Status given = checkGiven(desc.outputs, "the list of outputs");
@@ -59,16 +61,20 @@ Status create(const crevice_device& device, const crevice_effect_desc& desc,
 {
     Result<EffectRequest> request = requestOf(desc);
     if (!request) return request.diagnostics();
-    auto blank = Effect::create(*device.device, kBlank, {1, 1});
-    if (!blank) return blank.diagnostics();
+    auto loaded = loadEffect(*request);
+    if (!loaded) return loaded.diagnostics();
+    auto drawn = Effect::create(*device.device, (*loaded)->description, {desc.width, desc.height},
+                                request->outputs);
+    if (!drawn) return drawn.diagnostics();
     auto made = std::make_unique<crevice_effect>();
     made->device = device.device;
-    made->effect = std::move(*blank);
+    made->request = std::move(*request);
+    made->loaded = std::move(*loaded);
+    made->effect = std::move(*drawn);
     made->effect->frame().materials.resize(1);
-    const Status loaded = load(*made, std::move(*request), {desc.width, desc.height});
-    if (!loaded) return loaded;
-    if (!loaded.diagnostics().empty())
-        made->warnings = std::make_unique<crevice_error>(loaded.diagnostics());
+    Diagnostics all = loaded.diagnostics();
+    append(all, drawn.diagnostics());
+    if (!all.empty()) made->warnings = std::make_unique<crevice_error>(all);
     *effect = made.release();
     return {};
 }

@@ -11,10 +11,20 @@ using namespace crevice;
 
 namespace {
 
+Result<std::vector<FrontLevel>> bakedLevels(const std::vector<BakedConfig>& baked)
+{
+    std::vector<FrontLevel> levels;
+    for (const BakedConfig& each : baked)
+        levels.push_back({{each.name}, each.set, each.ms, each.error});
+    return levels;
+}
+
 Status govern(crevice_effect& effect, const crevice_governor_desc& desc)
 {
-    if (Status given = checkGiven(desc.front, "the front"); !given) return given;
-    auto levels = readFront(desc.front);
+    const bool baked = !desc.front && effect.request.baked;
+    Status given = baked ? Status() : checkGiven(desc.front, "the front");
+    if (!given) return given;
+    auto levels = baked ? bakedLevels(*effect.request.baked) : levelsOf(desc.front);
     if (!levels) return levels.diagnostics();
     GovernorOptions options;
     options.budget_ms = desc.budget_ms;
@@ -25,10 +35,14 @@ Status govern(crevice_effect& effect, const crevice_governor_desc& desc)
     if (!governor) return governor.diagnostics();
     std::vector<std::shared_ptr<LoadedConfig>> loaded;
     std::vector<Description> descriptions;
+    std::size_t next = 0;
     const Status status = loadLevels(governor->levels(), [&](const FrontLevel& level) -> Status {
         EffectRequest request = effect.request;
         request.config = level.name;
         request.overrides = level.set;
+        if (baked)  // of which several may have one name
+            request.baked = std::make_shared<const std::vector<BakedConfig>>(
+                1, (*effect.request.baked)[next++]);
         auto made = loadEffect(request);
         if (!made) return made.diagnostics();
         descriptions.push_back((*made)->description);

@@ -3,8 +3,9 @@
 // C reads of its config, and who keeps the scene of a frame alive.
 #pragma once
 
-#include <crevice/config.h>
+#include <crevice/baked.h>
 #include <crevice/effect.h>
+#include <crevice/governor.h>
 
 #include "core/frame/frame_math.h"
 #include "core/gpu/owned.h"
@@ -51,13 +52,13 @@ struct EffectRequest {
     std::string patch;
     std::vector<std::string> outputs;
     Limits limits;
-    std::vector<std::string> overrides = {};  ///< Of a level.
+    std::vector<std::string> overrides = {};                          ///< Of a level.
+    std::shared_ptr<const std::vector<BakedConfig>> baked = nullptr;  ///< In place of files.
 };
 
 /// A config as it was loaded. Its strings stay where they are while params and features change.
 struct LoadedConfig {
-    Node bare;      ///< The document without the patch, ...
-    Node document;  ///< ... and with it.
+    std::shared_ptr<const struct LoadedDocument> document;  ///< Null where it was baked.
     Description description;
     std::vector<std::vector<const char*>> words;  ///< Of each feature.
     std::vector<std::string> outputs;             ///< Those that are drawn.
@@ -66,12 +67,26 @@ struct LoadedConfig {
 /// Of a text that may be null.
 inline std::string textOf(const char* text) { return text ? text : ""; }
 
+/// Of a description, as C reads it; `outputs` empty for all.
+std::unique_ptr<LoadedConfig> loadedOf(Description description, std::vector<std::string> outputs);
+
+/// Of what was baked. Errors: CV2301 for a name that is none of it, and for a folder or a patch.
+Result<std::unique_ptr<LoadedConfig>> loadBaked(const EffectRequest& request);
+
+// What reads configs: load.cpp has it, and in the runtime, which has none, load_baked_only.cpp.
+
 /// Errors: those of loadConfig and decode, and of mergePatch for the patch.
 Result<std::unique_ptr<LoadedConfig>> loadEffect(const EffectRequest& request);
 
-/// The smallest patch over `loaded.bare` that sets what `now` has, a description that was made of
-/// `loaded.description` by setting params and features.
-Result<Node> patchOf(const LoadedConfig& loaded, const Description& now);
+/// The smallest patch over the config that sets what `now` has, a description that was made of
+/// `loaded.description` by setting params and features, as JSON. Errors: CV2301 of what was baked.
+Result<std::string> patchOf(const LoadedConfig& loaded, const Description& now);
+
+/// The error of patchOf for what was baked.
+Diagnostic noPatch();
+
+/// Errors: those of readFront.
+Result<std::vector<FrontLevel>> levelsOf(const char* front);
 
 }  // namespace crevice
 

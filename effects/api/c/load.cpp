@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An effect's config: from a name, file or text to a description, and from set values to a patch.
+#include <crevice/compile.h>
 #include <crevice/shipped.h>
 
 #include "core/base/text.h"
@@ -20,16 +21,6 @@ Status applyPatch(Node& document, const std::string& patch)
     Diagnostics errors;
     mergePatch(document, *read, errors);
     return errors;
-}
-
-std::vector<std::vector<const char*>> wordsOf(const Description& description)
-{
-    std::vector<std::vector<const char*>> all;
-    for (const FeatureDesc& feature : description.features) {
-        std::vector<const char*>& words = all.emplace_back();
-        for (const std::string& word : feature.values) words.push_back(word.c_str());
-    }
-    return all;
 }
 
 /// "radius=0.8", as overrides are written.
@@ -65,32 +56,38 @@ std::vector<std::string> overridesOf(const Description& loaded, const Descriptio
 
 }  // namespace
 
+struct LoadedDocument {
+    Node bare;   ///< Without the patch, ...
+    Node whole;  ///< ... and with it.
+};
+
 Result<std::unique_ptr<LoadedConfig>> loadEffect(const EffectRequest& request)
 {
+    if (request.baked) return loadBaked(request);
     const CheckoutSources sources(request.folder);
     Result<Node> bare =
         loadConfig(sources, {request.config, {}, request.overrides, {}, request.limits});
     if (!bare) return bare.diagnostics();
-    auto loaded = std::make_unique<LoadedConfig>();
-    loaded->bare = std::move(*bare);
-    loaded->document = loaded->bare;
-    if (Status patched = applyPatch(loaded->document, request.patch); !patched)
+    const auto document = std::make_shared<LoadedDocument>(LoadedDocument{*bare, std::move(*bare)});
+    if (Status patched = applyPatch(document->whole, request.patch); !patched)
         return patched.diagnostics();
-    Result<Description> description = decode(loaded->document, sources, request.limits);
+    Result<Description> description = decode(document->whole, sources, request.limits);
     if (!description) return description.diagnostics();
-    loaded->description = std::move(*description);
-    loaded->words = wordsOf(loaded->description);
-    loaded->outputs =
-        request.outputs.empty() ? namesOf(loaded->description.outputs) : request.outputs;
+    description->planner = compilingPlanMaker();
+    auto loaded = loadedOf(std::move(*description), request.outputs);
+    loaded->document = document;
     return {std::move(loaded), description.diagnostics()};
 }
 
-Result<Node> patchOf(const LoadedConfig& loaded, const Description& now)
+Result<std::string> patchOf(const LoadedConfig& loaded, const Description& now)
 {
-    Node document = loaded.document;
+    if (!loaded.document) return noPatch();
+    Node document = loaded.document->whole;
     for (const std::string& each : overridesOf(loaded.description, now))
         if (Status status = applyOverride(document, each); !status) return status.diagnostics();
-    return patchBetween(loaded.bare, document);
+    return toJson(patchBetween(loaded.document->bare, document));
 }
+
+Result<std::vector<FrontLevel>> levelsOf(const char* front) { return readFront(front); }
 
 }  // namespace crevice

@@ -2,7 +2,6 @@
 // What an effect has to set, for user interfaces, what comes out of it, and what its passes take.
 #include <crevice/renderer.h>
 
-#include "core/config/field_types.h"
 #include "effects/api/c/handles.h"
 
 using namespace crevice;
@@ -275,10 +274,10 @@ crevice_error* crevice_effect_get_import(const crevice_effect* effect, int index
 {
     return getAt(effect, index, crevice_effect_import_count(effect), import, "crevice_import",
                  [&](std::size_t at, crevice_import& own) {
-                     static const auto types = table::spellings(ImportType());
+                     constexpr const char* kTypes[] = {"camera", "draw_list", "lights", "texture"};
                      const ImportDesc& from = effect->loaded->description.imports[at];
                      own.name = from.name.c_str();
-                     own.type = types[static_cast<std::size_t>(from.type)].c_str();
+                     own.type = kTypes[static_cast<int>(from.type)];
                      own.format = from.type == ImportType::texture ? from.format.c_str() : "";
                      own.optional = from.optional;
                  });
@@ -290,9 +289,9 @@ crevice_error* crevice_effect_get_patch(crevice_effect* effect, const char** pat
         const Status given =
             firstOf(checkGiven(effect, "the effect"), checkGiven(patch, "the place for the patch"));
         if (!given) return given;
-        const Result<Node> made = patchOf(*effect->loaded, rendererOf(*effect).description());
+        Result<std::string> made = patchOf(*effect->loaded, rendererOf(*effect).description());
         if (!made) return made.diagnostics();
-        effect->patch = toJson(*made);
+        effect->patch = std::move(*made);
         *patch = effect->patch.c_str();
         return {};
     });

@@ -18,6 +18,7 @@ namespace crevice {
 
 class Governor;
 class Renderer;
+struct BakedConfig;
 struct Description;
 struct Frame;
 struct FrontLevel;
@@ -49,6 +50,16 @@ public:
     static Result<Effect> create(Device& device, std::string_view config, Extent size,
                                  std::vector<std::string> outputs = {},
                                  const Limits* limits = nullptr);
+
+    /// The same of a description that has its planner: of a baked effect, whose bytes then hold all
+    /// that a program needs (<crevice/baked.h>), and which need not link what reads configs:
+    ///
+    ///     auto effect = Effect::create(device, readBaked(bytes, size)->front().description,
+    ///     extent);
+    ///
+    /// Errors: those of Renderer::create, and CV2301.
+    static Result<Effect> create(Device& device, Description description, Extent size,
+                                 std::vector<std::string> outputs = {});
 
     Effect(Effect&&) noexcept;
     Effect& operator=(Effect&&) noexcept;
@@ -115,7 +126,11 @@ public:
     Status govern(std::vector<FrontLevel> levels, const GovernorOptions& options,
                   const Limits* limits = nullptr);
 
-    /// The same with levels that are loaded, one for each of the governor's.
+    /// The same with levels that were baked of a front. Errors: as above.
+    Status govern(const std::vector<BakedConfig>& levels, const GovernorOptions& options);
+
+    /// The same with levels that are loaded and have their planners, one for each of the
+    /// governor's.
     Status govern(Governor governor, std::vector<Description> levels);
 
     /// For its report, budget and times. Null before `govern`, and after Renderer::reload.

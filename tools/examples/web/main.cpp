@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// crevice in a web page, on WebGL 2: the page calls `draw` whenever its controls change.
+// crevice in a web page, on WebGL 2: the page calls `draw` whenever its controls change. Its configs
+// are baked, so that the page downloads what draws alone.
 #include "scene.h"
+#include "web_configs.h"
 
+#include <crevice/baked.h>
 #include <crevice/effect.h>
 #include <crevice/gl_device.h>
 
@@ -43,7 +46,10 @@ Status show(const std::string& config, float radius, float turn_rad, Extent exte
     if (!page.device)
         if (Status status = openDevice(); !status) return status;
     if (config != page.config) {
-        auto effect = Effect::create(*page.device, config, extent, {"color"});
+        auto all = readBaked(web_configs, web_configs_size);
+        auto one = all ? bakedConfig(std::move(*all), config) : all.diagnostics();
+        if (!one) return one.diagnostics();
+        auto effect = Effect::create(*page.device, std::move(one->description), extent);
         if (!effect) return effect.diagnostics();
         page.effect.emplace(std::move(*effect));
         page.config = config;

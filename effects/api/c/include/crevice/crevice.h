@@ -206,11 +206,17 @@ typedef struct crevice_effect_desc {
     /// passes (512), targets (512), bytes of all textures (2 GiB). More is refused: CV1209.
     int max_files, max_passes, max_targets;
     double max_bytes;
+
+    /// What `crevice bake` wrote, in place of files: `config` is then one of its configs by name,
+    /// or null for the first. It is copied. The runtime (crevice::runtime) takes nothing else.
+    const void* baked;
+    size_t baked_size;
 } crevice_effect_desc;
 
 /// Loads the config and makes all that it needs, shaders too.
 ///
-/// Errors: CV1xxx to CV5xxx for all mistakes in it, with places; CV6xxx for what no device can do.
+/// Errors: CV1xxx to CV5xxx for all mistakes in it, with places; CV6xxx for what no device can do;
+/// CV1301, CV1302 and CV2301 for bytes that are no baked effect, and for what was not baked.
 CREVICE_API crevice_error* crevice_effect_create(crevice_device* device,
                                                  const crevice_effect_desc* desc,
                                                  crevice_effect** effect);
