@@ -2,7 +2,7 @@
 // CPU time of a frame: a plan of ten passes on the recording device, in microseconds, and a
 // thousand draws through a shipped config. And of what comes before it: reading a mebibyte of JSON,
 // and the slowest shipped config from text to plan.
-#include <crevice/config.h>
+#include <crevice/compile.h>
 #include <crevice/recording_device.h>
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>

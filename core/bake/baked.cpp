@@ -188,6 +188,14 @@ std::string wordOf(const BakedAxis& axis, const Description& description, float 
     return shortest(number);
 }
 
+void setTrait(const TraitInfo& trait, float number, SceneTraits& traits)
+{
+    if (trait.flag)
+        traits.*trait.flag = number != 0;
+    else
+        traits.*trait.count = static_cast<int>(std::clamp(number, 0.0f, 64.0f));
+}
+
 class BakedPlans : public PlanMaker {
 public:
     BakedPlans(std::shared_ptr<const BakedFile> file, std::size_t entry)
@@ -479,6 +487,10 @@ Result<std::vector<BakedConfig>> readBaked(const void* data, std::size_t size)
         const BakedEntry& entry = file->entries[i];
         baked.push_back(entry.config);
         baked.back().description.planner = std::make_shared<BakedPlans>(file, i);
+        for (std::size_t at = 0; at < entry.axes.size(); ++at)
+            if (entry.axes[at].kind == BakedAxis::Kind::trait)
+                setTrait(*findNamed(kTraits, entry.axes[at].name),
+                         entry.choices.front().numbers[at], baked.back().scene);
         baked.back().plan_count = entry.plans.size();
         baked.back().program_count = entry.programs.size();
     }

@@ -124,6 +124,40 @@ const char* severityName(Severity severity)
 
 }  // namespace
 
+Diagnostic::Diagnostic() = default;
+Diagnostic::Diagnostic(Code of, std::string said, std::string way_out, Place at,
+                       std::string in_document, std::vector<Note> more, Severity how)
+    : code(of),
+      message(std::move(said)),
+      help(std::move(way_out)),
+      place(std::move(at)),
+      pointer(std::move(in_document)),
+      notes(std::move(more)),
+      severity(how)
+{
+}
+Diagnostic::Diagnostic(const Diagnostic&) = default;
+Diagnostic::Diagnostic(Diagnostic&&) noexcept = default;
+Diagnostic& Diagnostic::operator=(const Diagnostic&) = default;
+Diagnostic& Diagnostic::operator=(Diagnostic&&) noexcept = default;
+Diagnostic::~Diagnostic() = default;
+
+Status::Status() = default;
+Status::Status(Diagnostic error) : diagnostics_(listOf(std::move(error))) {}
+Status::Status(Diagnostics diagnostics) : diagnostics_(std::move(diagnostics)) {}
+Status::Status(const Status&) = default;
+Status::Status(Status&&) noexcept = default;
+Status& Status::operator=(const Status&) = default;
+Status& Status::operator=(Status&&) noexcept = default;
+Status::~Status() = default;
+
+Diagnostics listOf(Diagnostic diagnostic)
+{
+    Diagnostics list;
+    list.push_back(std::move(diagnostic));
+    return list;
+}
+
 bool hasErrors(const Diagnostics& diagnostics)
 {
     return anyOf(diagnostics, [](const Diagnostic& d) { return d.severity == Severity::error; });

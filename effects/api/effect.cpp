@@ -189,12 +189,18 @@ Effect::Effect(Effect&&) noexcept = default;
 Effect& Effect::operator=(Effect&&) noexcept = default;
 Effect::~Effect() = default;
 
-Result<Effect> Effect::create(Device& device, Description description, Extent size,
+Result<Effect> Effect::create(Device& device, const BakedConfig& baked, Extent size,
                               std::vector<std::string> outputs)
+{
+    return create(device, baked.description, baked.scene, size, std::move(outputs));
+}
+
+Result<Effect> Effect::create(Device& device, Description description, const SceneTraits& expected,
+                              Extent size, std::vector<std::string> outputs)
 {
     auto state = std::make_unique<State>(device);
     auto renderer = Renderer::createPlanned(device, std::move(description),
-                                            {size, std::move(outputs), {}}, traitsOf(state->frame));
+                                            {size, std::move(outputs), {}}, expected);
     if (!renderer) return renderer.diagnostics();
     state->renderer = std::move(*renderer);
     return {Effect(std::move(state)), renderer.diagnostics()};

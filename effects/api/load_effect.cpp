@@ -17,7 +17,7 @@ Result<Effect> Effect::create(Device& device, std::string_view config, Extent si
     Result<Description> description = decode(*document, shippedSources(), request.limits);
     if (!description) return description.diagnostics();
     description->planner = compilingPlanMaker();
-    return create(device, std::move(*description), size, std::move(outputs));
+    return create(device, std::move(*description), SceneTraits(), size, std::move(outputs));
 }
 
 Status Effect::govern(std::vector<FrontLevel> levels, const GovernorOptions& options,

@@ -2,6 +2,7 @@
 // A scene on the test's GL context, what configs draw of it, and what tests ask of the pictures.
 #pragma once
 
+#include <crevice/compile.h>
 #include <crevice/renderer.h>
 
 #include "tests/support/gl_fixture.h"

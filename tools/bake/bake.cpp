@@ -250,8 +250,9 @@ private:
 
     Result<int> addProgram(const PlanProgram& program)
     {
-        const Result<int> vertex = addText(program.vertex);
-        const Result<int> fragment = addText(program.fragment);
+        const ShaderDesc& shader = *findNamed(base_.shaders, program.label);
+        const Result<int> vertex = addText(program.vertex, shader);
+        const Result<int> fragment = addText(program.fragment, shader);
         if (!vertex) return vertex.diagnostics();
         if (!fragment) return fragment.diagnostics();
         for (std::size_t i = 0; i < entry_.programs.size(); ++i)
@@ -263,13 +264,16 @@ private:
     }
 
     /// The index of a stage's text, which is added where it is new.
-    Result<int> addText(const GlslStage& stage)
+    Result<int> addText(const GlslStage& stage, const ShaderDesc& shader)
     {
+        std::vector<std::string> given;  // by the config, and not for all time by the shader itself
+        for (const std::string& name : stage.defines_used)
+            if (shader.defines.count(name) == 0) given.push_back(name);
         BakedText text;
         const std::size_t version = stage.text.find(' ') + 1;
         text.version = stage.text.substr(version, stage.text.find('\n') - version);
         std::vector<std::string> late;
-        for (const std::string& name : lateMacros(stage.text, stage.defines_used)) {
+        for (const std::string& name : lateMacros(stage.text, given)) {
             for (const std::string& texture : textureNames(base_))
                 if (stepDefine(texture) == name)
                     text.steps.push_back(texture), late.push_back(name);
@@ -278,7 +282,7 @@ private:
                     text.values.push_back(param.name), late.push_back(name);
         }
         used_.insert(text.steps.begin(), text.steps.end());
-        for (const std::string& name : stage.defines_used)
+        for (const std::string& name : given)
             if (!contains(late, name)) deciding_.insert(name);
         Result<std::string> body = stripped(stage.text, late);
         if (!body) return body.diagnostics();

@@ -55,8 +55,9 @@ void printSummary(const RenderOptions& options, const Session& session, const Sc
     for (const HostTextures::Picture& each : session.host->pictures())
         printMessage("%s is %s\n", each.name.c_str(), printableLine(each.file).c_str());
     printMessage("on %s\n", session.open.context->description().c_str());
-    printMessage("planned and compiled in %s ms (wall clock)\n",
-                 fixed(session.create_ms, 1).c_str());
+    printMessage("read in %s ms, planned in %s ms, compiled in %s ms (wall clock)\n",
+                 fixed(options.read_ms, 1).c_str(), fixed(session.plan_ms, 1).c_str(),
+                 fixed(std::max(session.create_ms - session.plan_ms, 0.0), 1).c_str());
     if (options.warm) printMessage("warmed in %s ms\n", fixed(session.warm_ms, 1).c_str());
     if (const ProgramFolder* programs = session.open.programs.get();
         programs && programs->asked() > 0)
@@ -103,6 +104,8 @@ void printJson(const RenderOptions& options, const Session& session, const Scene
         {"lengths", session.lengths},
         {"camera", session.pictures ? "" : cameraText(view.camera, view.bounds)},
         {"textures", std::move(textures)},
+        {"read_ms", options.read_ms},
+        {"plan_ms", session.plan_ms},
         {"create_ms", session.create_ms},
         {"first_frame_ms", ms},
         {"files", files},
@@ -269,8 +272,10 @@ int render(RenderOptions options)
         if (const Status patch = checkPatchFile(options.config, options.save_patch); !patch)
             return report(patch.diagnostics(), options.json);
     const CheckoutSources sources(options.config.checkout, options.config.roots);
+    const double start_s = clockSeconds();
     Result<Description> description =
         loadDescription(options.config, sources, isUnfitted(options), lengthOf(options));
+    options.read_ms = (clockSeconds() - start_s) * 1e3;
     if (!description) return report(description.diagnostics(), options.json);
     if (pictures->empty()) return saveAlone(options, sources, description.diagnostics());
     const Result<std::vector<std::string>> outputs = exposeAll(*pictures, *description);

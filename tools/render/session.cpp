@@ -141,6 +141,9 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     progress.begin("compiling shaders");
     if (const Status right = checkShaders(session, description, session.options); !right)
         return right.diagnostics();
+    const double plan_s = clockSeconds();
+    (void)compile(description, traitsOf(*frame), device.caps(), session.options).ok();
+    session.plan_ms = millisecondsSince(plan_s);
     const double start_s = clockSeconds();
     Result<std::unique_ptr<Renderer>> created =
         Renderer::create(device, std::move(description), session.options, traitsOf(*frame));

@@ -34,6 +34,7 @@ struct RenderOptions {
     bool warm = false;
     bool watch = false;
     bool json = false;
+    double read_ms = 0;  ///< What reading the config took, by the wall clock.
 };
 
 /// A picture that was asked for, and where its pixels come from.
@@ -61,7 +62,8 @@ struct Session {
     CompileOptions options;
     std::string lengths;  ///< As resolveLengths says.
     std::unique_ptr<Renderer> renderer;
-    double create_ms = 0;  ///< What Renderer::create took, by the wall clock,
+    double plan_ms = 0;    ///< What `compile` took, by the wall clock,
+    double create_ms = 0;  ///< ... Renderer::create, which plans too and compiles programs,
     double warm_ms = 0;    ///< ... and Renderer::warm, where that was asked for.
 };
 

@@ -2,8 +2,8 @@
 #include "tools/render/view_diagnosis.h"
 
 #include "core/base/text.h"
-#include "core/plan/depth_precision.h"
 #include "core/config/values.h"
+#include "core/plan/depth_precision.h"
 #include "tools/commands/cli/output.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/scene/camera_framing.h"

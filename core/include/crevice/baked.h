@@ -2,7 +2,7 @@
 // Baked effects: what `crevice bake` wrote, read by a library that has no JSON, compiler or shader.
 //
 //     auto baked = readBaked(bytes, sizeof bytes);             // of `crevice bake mobile --header`
-//     auto effect = Effect::create(device, *baked, {1920, 1080});
+//     auto effect = Effect::create(device, baked->front(), {1920, 1080});
 //
 // A baked effect has the plans of one or more configs for what was listed when it was baked: words
 // of features, values of params that decide what is compiled, kinds of scenes and cameras. Sizes,
@@ -21,6 +21,7 @@ struct BakedConfig {
     double ms = 0;                 ///< Of a level of a front: GPU time; 0 of what is none.
     double error = 0;              ///< ... and its error; 0 where nobody knows.
     Description description;       ///< Without GLSL, and with its planner.
+    SceneTraits scene = {};        ///< One that it was baked for; `camera` and `scale` are unknown.
     std::size_t plan_count = 0;    ///< Plans that were baked, and programs of all of them.
     std::size_t program_count = 0;
 };

@@ -35,6 +35,17 @@ struct Diagnostic {
     std::string pointer = {};  ///< RFC 6901 pointer into the merged document; empty when none.
     std::vector<Note> notes = {};
     Severity severity = Severity::error;
+
+    // None inline: one is made and thrown away in hundreds of places.
+    Diagnostic();
+    Diagnostic(Code code, std::string message, std::string help = {}, Place place = {},
+               std::string pointer = {}, std::vector<Note> notes = {},
+               Severity severity = Severity::error);
+    Diagnostic(const Diagnostic&);
+    Diagnostic(Diagnostic&&) noexcept;
+    Diagnostic& operator=(const Diagnostic&);
+    Diagnostic& operator=(Diagnostic&&) noexcept;
+    ~Diagnostic();
 };
 
 using Diagnostics = std::vector<Diagnostic>;
@@ -57,6 +68,9 @@ void cutShort(Diagnostics& diagnostics);
 
 /// That note.
 Note moreNote(std::size_t more);
+
+/// A list of that one.
+Diagnostics listOf(Diagnostic diagnostic);
 
 /// Appends one list to another.
 void append(Diagnostics& all, const Diagnostics& more);
@@ -95,8 +109,8 @@ public:
           diagnostics_(std::move(warnings))
     {
     }
-    Result(Diagnostic error) { diagnostics_.push_back(std::move(error)); }  // NOLINT
-    Result(Diagnostics errors) : diagnostics_(std::move(errors))            // NOLINT
+    Result(Diagnostic error) : diagnostics_(listOf(std::move(error))) {}  // NOLINT
+    Result(Diagnostics errors) : diagnostics_(std::move(errors))          // NOLINT
     {
         assert(hasErrors(diagnostics_));
     }
@@ -131,9 +145,14 @@ private:
 /// A Result with no value.
 class [[nodiscard]] Status {
 public:
-    Status() = default;
-    Status(Diagnostic error) { diagnostics_.push_back(std::move(error)); }     // NOLINT
-    Status(Diagnostics diagnostics) : diagnostics_(std::move(diagnostics)) {}  // NOLINT
+    Status();
+    Status(Diagnostic error);         // NOLINT
+    Status(Diagnostics diagnostics);  // NOLINT
+    Status(const Status&);
+    Status(Status&&) noexcept;
+    Status& operator=(const Status&);
+    Status& operator=(Status&&) noexcept;
+    ~Status();
 
     bool ok() const { return !hasErrors(diagnostics_); }
     explicit operator bool() const { return ok(); }

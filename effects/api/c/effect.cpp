@@ -63,8 +63,8 @@ Status create(const crevice_device& device, const crevice_effect_desc& desc,
     if (!request) return request.diagnostics();
     auto loaded = loadEffect(*request);
     if (!loaded) return loaded.diagnostics();
-    auto drawn = Effect::create(*device.device, (*loaded)->description, {desc.width, desc.height},
-                                request->outputs);
+    auto drawn = Effect::create(*device.device, (*loaded)->description, (*loaded)->scene,
+                                {desc.width, desc.height}, request->outputs);
     if (!drawn) return drawn.diagnostics();
     auto made = std::make_unique<crevice_effect>();
     made->device = device.device;

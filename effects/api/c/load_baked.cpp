@@ -35,7 +35,9 @@ Result<std::unique_ptr<LoadedConfig>> loadBaked(const EffectRequest& request)
     Result<BakedConfig> baked = bakedConfig(*request.baked, request.config);
     if (!baked) return baked.diagnostics();
     baked->description.limits = request.limits;
-    return loadedOf(std::move(baked->description), request.outputs);
+    auto loaded = loadedOf(std::move(baked->description), request.outputs);
+    loaded->scene = baked->scene;
+    return loaded;
 }
 
 Diagnostic noPatch()

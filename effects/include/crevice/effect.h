@@ -24,6 +24,7 @@ struct Frame;
 struct FrontLevel;
 struct GovernorOptions;
 struct Limits;
+struct SceneTraits;
 
 /// What an output is drawn into.
 struct OutputTexture {
@@ -51,14 +52,15 @@ public:
                                  std::vector<std::string> outputs = {},
                                  const Limits* limits = nullptr);
 
-    /// The same of a description that has its planner: of a baked effect, whose bytes then hold all
-    /// that a program needs (<crevice/baked.h>), and which need not link what reads configs:
-    ///
-    ///     auto effect = Effect::create(device, readBaked(bytes, size)->front().description,
-    ///     extent);
-    ///
+    /// The same of what was baked (<crevice/baked.h>): a program links nothing that reads configs.
     /// Errors: those of Renderer::create, and CV2301.
-    static Result<Effect> create(Device& device, Description description, Extent size,
+    static Result<Effect> create(Device& device, const BakedConfig& baked, Extent size,
+                                 std::vector<std::string> outputs = {});
+
+    /// The same of a description that has its planner. `expected` is what its first frame is likely
+    /// to be of, for which programs are made here; one of another kind plans again.
+    static Result<Effect> create(Device& device, Description description,
+                                 const SceneTraits& expected, Extent size,
                                  std::vector<std::string> outputs = {});
 
     Effect(Effect&&) noexcept;

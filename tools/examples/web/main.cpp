@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// crevice in a web page, on WebGL 2: the page calls `draw` whenever its controls change. Its configs
-// are baked, so that the page downloads what draws alone.
+// crevice in a web page, on WebGL 2: the page calls `draw` whenever its controls change. Its
+// configs are baked, so that the page downloads what draws alone.
 #include "scene.h"
 #include "web_configs.h"
 
@@ -49,7 +49,7 @@ Status show(const std::string& config, float radius, float turn_rad, Extent exte
         auto all = readBaked(web_configs, web_configs_size);
         auto one = all ? bakedConfig(std::move(*all), config) : all.diagnostics();
         if (!one) return one.diagnostics();
-        auto effect = Effect::create(*page.device, std::move(one->description), extent);
+        auto effect = Effect::create(*page.device, *one, extent);
         if (!effect) return effect.diagnostics();
         page.effect.emplace(std::move(*effect));
         page.config = config;
