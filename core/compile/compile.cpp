@@ -15,12 +15,10 @@ namespace {
 State begin(const Description& description, const SceneTraits& traits, const DeviceCaps& caps,
             const CompileOptions& options)
 {
-    State state{description, traits, caps, options};
+    State state{description, traits, caps, options, {description, options.extent}};
     state.shaders.resize(description.shaders.size());
     state.targets.resize(description.targets.size());
     const auto target = [&](const Reference& to) { return indexOf(description.targets, to.name); };
-    for (std::size_t i = 0; i < state.targets.size(); ++i)
-        state.targets[i].followed = target(description.targets[i].size.of);
     for (const PassDesc& desc : description.passes) {
         Pass pass;
         pass.desc = &desc;

@@ -403,9 +403,7 @@ void readMask(State& state, Pass& pass)
     const int mask = indexOf(state.description.targets, pass.desc->mask.name);
     if (mask < 0 || (pass.over < 0 && !state.applies("depth_mask"))) return;
     const std::vector<int> own = writtenBy(pass);
-    const bool fits = !own.empty() &&
-                      sizeOf(state.description, mask, state.options.extent) ==
-                          sizeOf(state.description, own.front(), state.options.extent) &&
+    const bool fits = !own.empty() && state.sizes.of(mask) == state.sizes.of(own.front()) &&
                       askedSamples(state.description, mask) == 1 &&
                       askedSamples(state.description, own.front()) == 1;
     const auto draws_it = [&](const Pass& each) { return each.active && each.depth == mask; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The compiler's working state and its steps, private to core/compile. They fill it in this order:
 //
-//   graph         which passes run, once borders fit (target_sizes)
+//   graph         which passes run, once borders fit
 //   formats       formats, which shaders allow for; at the end whether they fit and are fine enough
 //   shaders       defines, stages, outputs, and what feeds the uniforms
 //   graph         writers and order; what is needed, and what stands in for what is not
@@ -63,7 +63,6 @@ struct Pass {
 };
 
 struct Target {
-    int followed = -1;        ///< The target whose size its own follows; -1 is the output's.
     int writer = -1;          ///< The active pass that writes it.
     bool textured = false;    ///< It needs a texture.
     bool wanted = false;      ///< It would with params of other values.
@@ -80,6 +79,7 @@ struct State {
     const SceneTraits& traits;
     const DeviceCaps& caps;
     const CompileOptions& options;
+    TargetSizes sizes;
     std::vector<Shader> shaders = {};  ///< The description's.
     std::vector<Pass> passes = {};
     std::vector<Target> targets = {};

@@ -129,13 +129,13 @@ void chooseExtents(State& state)
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         Target& target = state.targets[i];
         const TargetDesc& desc = state.description.targets[i];
-        target.extent = sizeOf(state.description, static_cast<int>(i), asked);
+        target.extent = state.sizes.of(static_cast<int>(i));
         target.depth = depthOf(state.description, static_cast<int>(i));
         if (target.depth > 0 && target.textured) checkVolume(state, desc, target);
         if (!fits || !target.textured || within(target.extent, limit)) continue;
-        const int followed = target.followed;
+        const int followed = state.sizes.followed(static_cast<int>(i));
         const bool reported = followed >= 0 && state.targets[followed].textured &&
-                              !within(sizeOf(state.description, followed, asked), limit);
+                              !within(state.sizes.of(followed), limit);
         if (reported) continue;
         report(state, Code::too_big_for_device,
                "target '" + desc.name + "' would be " + text(target.extent) + ", and " +

@@ -52,13 +52,14 @@ int firstWritten(const Description& description, const PlanPass& pass)
 }
 
 // As the config says, or more where a target's border of whole pixels shows more.
-float frustumScale(const Description& description, const PlanPass& pass, int written, Extent view)
+float frustumScale(const Description& description, const PlanPass& pass, int written,
+                   const TargetSizes& sizes)
 {
     const PassDesc& desc = *findNamed(description.passes, pass.name);
     const ParamDesc* param = findNamed(description.params, desc.frustum_scale_param.name);
     const float scale = param ? param->value[0] : desc.frustum_scale;
     if (scale <= 0.0f || written < 0) return scale;
-    return std::max(scale, viewsOf(description, written, view));
+    return std::max(scale, sizes.viewsOf(written));
 }
 
 // Samples that the device has for all that a pass draws into.
@@ -78,13 +79,13 @@ int samplesOf(const Description& description, const PlanPass& pass, int written,
 }
 
 void fitPass(PlanPass& pass, const Description& description, const CompileOptions& options,
-             const DeviceCaps& caps, std::vector<Fitted>& fitted)
+             const DeviceCaps& caps, const TargetSizes& sizes, std::vector<Fitted>& fitted)
 {
     const int written = firstWritten(description, pass);
     const bool culls =
         !contains(options.disable, "frustum_culling") && !contains(options.disable, "all");
-    pass.frustum_scale = culls ? frustumScale(description, pass, written, options.extent) : 0;
-    pass.extent = written < 0 ? options.extent : sizeOf(description, written, options.extent);
+    pass.frustum_scale = culls ? frustumScale(description, pass, written, sizes) : 0;
+    pass.extent = sizes.of(written);
     pass.layers = pass.color.empty() || written < 0 ? 0 : depthOf(description, written);
     pass.samples = 1;
     // What it draws over was resolved by the pass before.
@@ -177,20 +178,21 @@ void fitPlan(Plan& plan, const Description& description, const SceneTraits& trai
         each.count = generatedCount(description, *findNamed(description.generated, each.name));
     for (ImportDesc& import : plan.imports)
         import.format = findNamed(description.imports, import.name)->format;
+    const TargetSizes sizes(description, options.extent);
     std::vector<Fitted> fitted;
     for (const PlanTarget& target : plan.targets) {
         const int index = indexOf(description.targets, target.name);
         const TargetDesc& desc = description.targets[index];
         fitted.push_back({index,
                           {chooseFormat(description, desc, traits, caps, options.extent.height),
-                           sizeOf(description, index, options.extent),
+                           sizes.of(index),
                            1,
                            depthOf(description, index),
                            desc.mips,
                            {target.name}}});
     }
     for (PlanPass& pass : plan.passes) {
-        fitPass(pass, description, options, caps, fitted);
+        fitPass(pass, description, options, caps, sizes, fitted);
         for (PlanUniform& uniform : pass.uniforms)
             if (uniform.source == UniformSource::kernel)
                 uniform.count = plan.generated[uniform.index].count;

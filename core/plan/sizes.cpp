@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 
 #include <cmath>
+#include <map>
 
 namespace crevice {
 namespace {
@@ -41,14 +42,14 @@ float fittingScale(int size, float scale, int limit)
 }
 
 // As fittingScale, of all targets whose borders the param gives.
-float fittingScale(const Description& description, const ParamDesc& param, Extent view, int limit)
+float fittingScale(const Description& description, const ParamDesc& param, const TargetSizes& sizes,
+                   int limit)
 {
     float scale = param.value[0];
-    for (const TargetDesc& target : description.targets) {
-        const SizeDesc& desc = target.size;
+    for (std::size_t i = 0; i < description.targets.size(); ++i) {
+        const SizeDesc& desc = description.targets[i].size;
         if (!desc.border || desc.scale_param.name != param.name) continue;
-        const int followed = indexOf(description.targets, desc.of.name);
-        const Extent inner = followed >= 0 ? sizeOf(description, followed, view) : view;
+        const Extent inner = sizes.of(sizes.followed(static_cast<int>(i)));
         for (const int size : {inner.width, inner.height})
             scale = std::min(scale, fittingScale(size, scale, limit));
     }
@@ -72,10 +73,11 @@ std::optional<Description> fitBorders(const Description& description, const Comp
                                       const DeviceCaps& caps, std::vector<Elided>& elided)
 {
     std::optional<Description> fitted;
+    const TargetSizes sizes(description, options.extent);
     for (std::size_t i = 0; i < description.params.size(); ++i) {
         const ParamDesc& param = description.params[i];
         if (param.bind != Bind::define) continue;  // what a host sets does not pass by here
-        const float scale = fittingScale(description, param, options.extent, caps.max_texture_size);
+        const float scale = fittingScale(description, param, sizes, caps.max_texture_size);
         if (scale >= param.value[0] || scale < param.min) continue;
         if (!fitted) fitted = description;
         fitted->params[i].value[0] = scale;
@@ -86,43 +88,50 @@ std::optional<Description> fitBorders(const Description& description, const Comp
     return fitted;
 }
 
-// Sizes do not follow each other in a circle: decode sees to that.
-Extent sizeOf(const Description& description, int target, Extent view)
+TargetSizes::TargetSizes(const Description& description, Extent view)
+    : description_(description),
+      view_(view),
+      extents_(description.targets.size())
 {
     const std::vector<TargetDesc>& targets = description.targets;
-    std::vector<int> chain;
-    for (; target >= 0 && chain.size() <= targets.size();
-         target = indexOf(targets, targets[target].size.of.name))
-        chain.push_back(target);
-    Extent extent = view;
-    for (auto at = chain.rbegin(); at != chain.rend(); ++at) {
-        const SizeDesc& size = targets[*at].size;
-        const ParamDesc* param = findNamed(description.params, size.scale_param.name);
-        const float scale = param ? param->value[0] : size.scale;
-        const auto factor = size.border ? bordered : scaled;
-        extent = {factor(extent.width, scale), factor(extent.height, scale)};
-        if (size.width.factor > 0)
-            extent = {texels(description, size.width), texels(description, size.height)};
+    std::map<std::string_view, int> indices;
+    for (std::size_t i = 0; i < targets.size(); ++i)
+        indices.try_emplace(targets[i].name, static_cast<int>(i));
+    for (const TargetDesc& target : targets) {
+        const auto found = indices.find(target.size.of.name);
+        followed_.push_back(found == indices.end() ? -1 : found->second);
     }
-    return extent;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        std::vector<int> chain;  // those that are not known yet; decode lets none close a circle
+        for (int at = static_cast<int>(i); at >= 0 && extents_[at].width == 0; at = followed_[at])
+            chain.push_back(at);
+        for (auto at = chain.rbegin(); at != chain.rend(); ++at) {
+            const SizeDesc& size = targets[*at].size;
+            const ParamDesc* param = findNamed(description.params, size.scale_param.name);
+            const float scale = param ? param->value[0] : size.scale;
+            const auto factor = size.border ? bordered : scaled;
+            const Extent base = of(followed_[*at]);
+            extents_[*at] = {factor(base.width, scale), factor(base.height, scale)};
+            if (size.width.factor > 0)
+                extents_[*at] = {texels(description, size.width), texels(description, size.height)};
+        }
+    }
+}
+
+float TargetSizes::viewsOf(int target) const
+{
+    int sized = target;
+    while (sized >= 0 && !description_.targets[sized].size.border) sized = followed_[sized];
+    if (sized < 0) return 0.0f;
+    const Extent size = of(target);
+    return std::max(static_cast<float>(size.width) / static_cast<float>(view_.width),
+                    static_cast<float>(size.height) / static_cast<float>(view_.height));
 }
 
 int depthOf(const Description& description, int target)
 {
     const TargetDesc& desc = description.targets[target];
     return isVolume(desc) ? texels(description, desc.size.depth) : 0;
-}
-
-float viewsOf(const Description& description, int target, Extent view)
-{
-    const std::vector<TargetDesc>& targets = description.targets;
-    int sized = target;
-    while (sized >= 0 && !targets[sized].size.border)
-        sized = indexOf(targets, targets[sized].size.of.name);
-    if (sized < 0) return 0.0f;
-    const Extent size = sizeOf(description, target, view);
-    return std::max(static_cast<float>(size.width) / static_cast<float>(view.width),
-                    static_cast<float>(size.height) / static_cast<float>(view.height));
 }
 
 int askedSamples(const Description& description, int target)

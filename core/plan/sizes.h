@@ -7,14 +7,29 @@
 
 namespace crevice {
 
-/// The size of a target.
-Extent sizeOf(const Description& description, int target, Extent view);
+/// The sizes of all targets.
+class TargetSizes {
+public:
+    TargetSizes(const Description& description, Extent view);
+
+    /// Of a target; below 0 of the view.
+    Extent of(int target) const { return target < 0 ? view_ : extents_[target]; }
+
+    /// The target whose size it follows, or -1 for the view.
+    int followed(int target) const { return followed_[target]; }
+
+    /// How many views wide or high a target with a border, or one that follows such, is; else 0.
+    float viewsOf(int target) const;
+
+private:
+    const Description& description_;
+    Extent view_;
+    std::vector<int> followed_;
+    std::vector<Extent> extents_;
+};
 
 /// Layers of a volume; 0 of what is none.
 int depthOf(const Description& description, int target);
-
-/// How many views wide or high a target with a border, or one that follows such, is; else 0.
-float viewsOf(const Description& description, int target, Extent view);
 
 /// Samples a pixel that the config asks for.
 int askedSamples(const Description& description, int target);

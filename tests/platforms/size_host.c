@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The least host, whose size tools/scripts/sizes.sh takes: AO of a depth texture by BAKED, a header of crevice bake, or
-   by the config CONFIG; without either it does nothing. */
+/* The least host, whose size tools/scripts/sizes.sh takes: AO of a depth texture by BAKED, a header
+   of crevice bake, or by the config CONFIG; without either it does nothing. */
 #include <stdio.h>
 
 #if defined(BAKED) || defined(CONFIG)
@@ -22,7 +22,8 @@ int main(void)
     static const float projection[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2f, 0};
     crevice_device_desc opened = {.struct_size = sizeof opened, .loader = find_function};
     crevice_effect_desc wanted = {.struct_size = sizeof wanted, .width = 640, .height = 360};
-    crevice_texture depth = {.struct_size = sizeof depth, .name = 1, .format = "depth24", .width = 640, .height = 360};
+    crevice_texture depth = {
+        .struct_size = sizeof depth, .name = 1, .format = "depth24", .width = 640, .height = 360};
     crevice_output ao = {.struct_size = sizeof ao};
     crevice_device* device = NULL;
     crevice_effect* effect = NULL;

@@ -12,6 +12,9 @@
 
 #ifdef HELLO_BAKED  // by crevice bake gtao+geometry/host_depth --output ao --header hello_baked.h
 #include "hello_baked.h"
+#define CONFIG .baked = hello_baked, .baked_size = hello_baked_size
+#else
+#define CONFIG .config = "gtao+geometry/host_depth"
 #endif
 
 enum { kWidth = 256, kHeight = 144 };
@@ -55,15 +58,7 @@ static GLuint make_depth(void)
 static crevice_effect* make_effect(crevice_device* device)
 {
     crevice_effect_desc desc = {
-        .struct_size = sizeof desc, .width = kWidth, .height = kHeight};
-#ifdef HELLO_BAKED
-    desc.baked = hello_baked;
-    desc.baked_size = hello_baked_size;
-#else
-    desc.config =
-        "{ \"format\": 1, \"name\": \"hello\","
-        "  \"extends\": [\"geometry/host_depth\", \"ssao/gtao\", \"filter/bilateral_normal\"] }";
-#endif
+        .struct_size = sizeof desc, CONFIG, .width = kWidth, .height = kHeight};
     crevice_effect* effect = NULL;
     need(crevice_effect_create(device, &desc, &effect));
     return effect;
@@ -72,12 +67,9 @@ static crevice_effect* make_effect(crevice_device* device)
 /// As gluPerspective makes it, by columns.
 static void set_projection(crevice_effect* effect)
 {
-    float m[16] = {0};
-    m[0] = kScale * kHeight / kWidth;
-    m[5] = kScale;
-    m[10] = (kFar + kNear) / (kNear - kFar);
-    m[11] = -1;
-    m[14] = 2 * kFar * kNear / (kNear - kFar);
+    const float depth = kNear - kFar, x = kScale * kHeight / kWidth;
+    const float z = (kFar + kNear) / depth, w = 2 * kFar * kNear / depth;
+    const float m[16] = {x, 0, 0, 0, 0, kScale, 0, 0, 0, 0, z, -1, 0, 0, w, 0};
     need(crevice_effect_set_projection(effect, m));
 }
 

@@ -60,7 +60,7 @@ struct EffectRequest {
 struct LoadedConfig {
     std::shared_ptr<const struct LoadedDocument> document;  ///< Null where it was baked.
     Description description;
-    SceneTraits scene = {};  ///< What it is planned for before a frame.
+    SceneTraits scene = {};                       ///< What it is planned for before a frame.
     std::vector<std::vector<const char*>> words;  ///< Of each feature.
     std::vector<std::string> outputs;             ///< Those that are drawn.
 };

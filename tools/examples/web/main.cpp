@@ -2,7 +2,6 @@
 // crevice in a web page, on WebGL 2: the page calls `draw` whenever its controls change. Its
 // configs are baked, so that the page downloads what draws alone.
 #include "scene.h"
-#include "web_configs.h"
 
 #include <crevice/baked.h>
 #include <crevice/effect.h>
@@ -10,6 +9,7 @@
 
 #include <emscripten.h>
 #include <emscripten/html5.h>
+#include <web_configs.h>
 
 #include <optional>
 
