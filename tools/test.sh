@@ -25,13 +25,14 @@ all         |   60 | guard            | Errors against docs/bench
 all         |   20 | pictures         | Pictures in the documentation
 all         |  100 | shader_faults    | Faults planted in shaders, which stress must find
 all         |  460 | sanitized_tests  | Tests of what owns memory, by clang, under sanitizers
-all         |   50 | fuzzers          | Fuzzers, 20 seconds each
+all         |   60 | fuzzers          | Fuzzers, 15 seconds each
 all         |  115 | threads          | Threads under the thread sanitizer
 all         |  125 | lone_files       | Each file compiles alone, by clang
 all         |   20 | debian_packages  | Debian packages
 all         |  110 | web              | WebGL 2 in a browser
 all         |   90 | page             | The page in a browser
 all         |  165 | arm              | arm64 and armv7, under qemu
+all         |   60 | sizes            | What the runtime adds to a program on arm64
 nightly     | 1800 | phones           | Costs on phones against docs/cost
 nightly     | 1200 | code_faults      | Faults planted in C++, which tests must find
 nightly     |  600 | bare_debian      | The packages on a bare Debian
@@ -73,7 +74,7 @@ sanitized_tests() {
     cmake --preset asan "${options[@]}" && cmake --build --preset asan &&
         seq 0 7 | xargs -P "$(nproc)" -I{} bash tests/in_parts.sh build/asan/tests/crevice_memory_tests {} 8
 }
-fuzzers() { tests/fuzz/run.sh "$([[ $run == nightly ]] && echo 600 || echo 20)"; }
+fuzzers() { tests/fuzz/run.sh "$([[ $run == nightly ]] && echo 600 || echo 15)"; }
 threads() {
     cmake --preset tsan "${options[@]}" && cmake --build --preset tsan && build/tsan/tests/crevice_thread_tests
 }
@@ -88,6 +89,7 @@ arm() {
     or_skipped tests/platforms/arm_test.sh aarch64-linux-gnu build/ci "${scope[@]}" &&
         or_skipped tests/platforms/arm_test.sh arm-linux-gnueabihf build/ci "${scope[@]}"
 }
+sizes() { or_skipped tools/scripts/sizes.sh --check; }
 phones() {
     CREVICE_MOBILE_COMPILERS=$(tools/scripts/mobile_compilers.sh | tail -n 1) && export CREVICE_MOBILE_COMPILERS &&
         ctest --preset ci --no-tests=error --label-regex nightly && tools/scripts/figures.sh cost --check

@@ -32,7 +32,7 @@ if tests/platforms/debian_root.sh "$root" "${architecture[$triplet]}" \
 fi
 cmake -G Ninja -S . -B "$build" --toolchain "$toolchain" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10 \
-    -DCREVICE_WERROR=ON -DCREVICE_TOOLS=OFF -DCREVICE_TESTS=OFF -DCREVICE_PLATFORM_TESTS="$scope" \
+    -DCREVICE_WERROR=ON -DCREVICE_INSTALL=OFF -DCREVICE_TOOLS=OFF -DCREVICE_TESTS=OFF -DCREVICE_PLATFORM_TESTS="$scope" \
     "${gl_options[@]}" >/dev/null
 cmake --build "$build" -- --quiet
 programs=$build/tests/platforms

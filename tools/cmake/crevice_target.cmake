@@ -55,6 +55,15 @@ function(crevice_hardened target)
   target_link_options(${target} PRIVATE $<$<BOOL:${CREVICE_HAS_RELRO}>:LINKER:-z,relro,-z,now>)
 endfunction()
 
+# crevice_small(TARGET): in MinSizeRel the linker sees all of the code at once. A host then links by the same compiler.
+include(CheckIPOSupported)
+check_ipo_supported(RESULT CREVICE_HAS_IPO OUTPUT ignored LANGUAGES CXX)
+function(crevice_small target)
+  if(CREVICE_HAS_IPO AND NOT EMSCRIPTEN)
+    set_target_properties(${target} PROPERTIES INTERPROCEDURAL_OPTIMIZATION_MINSIZEREL ON)
+  endif()
+endfunction()
+
 # crevice_library(NAME SOURCES... ) makes crevice_NAME, exported as crevice::NAME. Host applications
 # link it, so it neither throws nor uses run-time types. Public headers are
 # <crevice/file.h>, in NAME/include; the others are the library's own, "NAME/layer/file.h".
@@ -65,6 +74,7 @@ function(crevice_library name)
   target_compile_features(crevice_${name} PUBLIC cxx_std_17)
   target_compile_options(crevice_${name} PRIVATE -fno-exceptions -fno-rtti)
   crevice_hardened(crevice_${name})
+  crevice_small(crevice_${name})
   # A host's own shared object that links it exports none of it.
   set_target_properties(crevice_${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_link_libraries(crevice_${name} PRIVATE $<BUILD_INTERFACE:crevice_flags>)

@@ -12,7 +12,11 @@ crevice=$(realpath -- "$CREVICE")
 table=docs/reference/baked.md
 config=mobile+geometry/host_depth
 triplets=(aarch64-linux-gnu arm-linux-gnueabihf) kinds=(baked full)
-[[ ${1:-} != --check ]] || triplets=(aarch64-linux-gnu) kinds=(baked)
+unity=()  # which hides which file has what
+if [[ ${1:-} == --check ]]; then
+    triplets=(aarch64-linux-gnu) kinds=(baked)
+    unity=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10)
+fi
 for triplet in "${triplets[@]}"; do
     command -v "$triplet-g++" >/dev/null && continue
     echo "SKIPPED: no $triplet-g++; apt-get install g++-$triplet"
@@ -32,10 +36,10 @@ link() {
 
 declare -A bytes
 for triplet in "${triplets[@]}"; do
-    build=build/sizes_$triplet
+    build=build/sizes_$triplet${unity:+_check}
     quietly cmake -G Ninja -S . -B "$build" --toolchain "tools/cmake/$triplet.cmake" -DCMAKE_BUILD_TYPE=MinSizeRel \
         -DCMAKE_CXX_FLAGS="-ffunction-sections -fdata-sections" -DCREVICE_TOOLS=OFF -DCREVICE_TESTS=OFF \
-        -DCREVICE_INSTALL=OFF -DCREVICE_EMBED="$config"
+        -DCREVICE_INSTALL=OFF "${unity[@]}" -DCREVICE_EMBED="$config"
     libraries=$build/effects/api/c
     empty=$(link "$triplet" empty)
     for kind in "${kinds[@]}"; do
@@ -83,7 +87,7 @@ for line in open(sys.argv[1], errors='replace'):
         continue
     row = re.match(r' (\.\S+)? +0x[0-9a-f]+ +0x([0-9a-f]+) .*lib(\w+)\.a\((\w+\.cpp)\.o\)', line)
     section, name = (row and row[1]) or name, ''
-    if not row or not re.match(r'\.(text|rodata|data|eh_frame|gcc_except)', section):
+    if not row or re.search(r' 0x0{16} ', line) or not re.match(r'\.(text|rodata|data|eh_frame|gcc_except)', section):
         continue
     home = homes.get(row[3]) or folders.get(row[4], 'other')
     sums['configs and modules' if row[4] == 'catalog_data.cpp' else home] += int(row[2], 16)
