@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Fails when LIBRARY wants a GL, EGL or OSMesa symbol of the linker: all are found at run time. And where
-# it has a number written by the locale, into a stream or by std::to_string of a float.
+# it has a number written by the locale, into a stream or by std::to_string of a float. The runtime has
+# no streams, files and locales at all, and nothing that reads configs and GLSL.
 #   cmake -D NM=nm -D LIBRARY=libcrevice_backends.a -P check_symbols.cmake
 execute_process(COMMAND ${NM} ${LIBRARY} OUTPUT_VARIABLE symbols RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
@@ -14,4 +15,11 @@ string(REGEX MATCHALL "[^\n]* (_ZNSolsE[a-z]|_ZNSo9_M_insertI|_ZN9__gnu_cxx12__t
        written "${symbols}")
 if(written)
   message(FATAL_ERROR "${LIBRARY} writes numbers by the locale (use core/base/numbers.h)\n${written}")
+endif()
+if(LIBRARY MATCHES "runtime")
+  string(REGEX MATCHALL "[^\n]* U [^\n]*(filesystem|ios_base|basic_[io]?f?stream|locale|fopen|parseDocument|loadConfig|assembleStage|7compileE)[^\n]*"
+         more "${symbols}")
+  if(more)
+    message(FATAL_ERROR "${LIBRARY} wants more than what draws:\n${more}")
+  endif()
 endif()

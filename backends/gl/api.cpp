@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <vector>
 
@@ -17,6 +18,23 @@ constexpr int kMaxPendingErrors = 16;
 
 /// Shortest GL_MAX_LABEL_LENGTH that a driver may have, less the terminating zero.
 constexpr std::size_t kMaxLabelLength = 255;
+
+/// The table's functions in a row, each with '!' or '?' before it, for those that must be there and
+/// those that may: one text, so that loading them is a loop, and no code for each.
+constexpr char kFunctionNames[] =
+#define CREVICE_GL_true "!"
+#define CREVICE_GL_false "?"
+#define CREVICE_GL_NAME(name, upper, required) CREVICE_GL_##required "gl" #name "\0"
+    CREVICE_GL_FUNCTIONS(CREVICE_GL_NAME);
+#undef CREVICE_GL_NAME
+
+using GlFunction = void (*)();
+constexpr std::size_t kFunctionCount = 0
+#define CREVICE_GL_COUNT(name, upper, required) +1
+    CREVICE_GL_FUNCTIONS(CREVICE_GL_COUNT);
+#undef CREVICE_GL_COUNT
+static_assert(offsetof(GlApi, emulates_mediump) == kFunctionCount * sizeof(GlFunction),
+              "the table begins with its functions");
 
 const char* const kGlHelp = "crevice needs OpenGL ES 3.0, and the context's own loader";
 
@@ -66,11 +84,14 @@ Result<GlApi> loadGlApi(const GlLoader& load)
                        "give makeGlDevice a function such as eglGetProcAddress");
     GlApi api;
     std::vector<std::string> missing;
-#define CREVICE_GL_LOAD(name, upper, required) \
-    api.name = reinterpret_cast<PFNGL##upper##PROC>(load("gl" #name)); \
-    if (required && !api.name) missing.push_back("gl" #name);
-    CREVICE_GL_FUNCTIONS(CREVICE_GL_LOAD)
-#undef CREVICE_GL_LOAD
+    char* place = reinterpret_cast<char*>(&api);
+    for (const char* name = kFunctionNames; *name != '\0'; name += std::strlen(name) + 1) {
+        const auto function = load(name + 1);
+        static_assert(sizeof function == sizeof(GlFunction), "as pointers to functions are");
+        std::memcpy(place, &function, sizeof function);
+        place += sizeof function;
+        if (*name == '!' && !function) missing.push_back(name + 1);
+    }
     if (const Status status = checkCurrent(api); !status) return status.diagnostics();
     for (const char* name : missingOnEs(api)) missing.push_back("gl" + std::string(name));
     if (missing.empty()) return api;

@@ -44,6 +44,7 @@ endforeach()
 
 set(c_program "${SOURCE}/../c_api/api_test.c")
 set(configure "${CMAKE_COMMAND}" -G Ninja -S "${SOURCE}" "-DEXAMPLE=${WORK}/example.cpp" "-DC_PROGRAM=${c_program}"
+  "-DBAKED_PROGRAM=${SOURCE}/../platforms/size_host.c"
   "-DHOST_HEADERS=${WORK}/host"
   "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_C_FLAGS=${FLAGS}"
   -DCMAKE_BUILD_TYPE=Release)
@@ -121,6 +122,11 @@ run(${compile} ${aligned} -include crevice/effect.h)
 execute_process(COMMAND ${compile} ${aligned} -include crevice/frame.h RESULT_VARIABLE code ERROR_VARIABLE said)
 if(code EQUAL 0 OR NOT said MATCHES "GLM_FORCE_DEFAULT_ALIGNED_GENTYPES")
   message(FATAL_ERROR "aligned GLM types are not refused: ${said}")
+endif()
+
+execute_process(COMMAND "${WORK}/build/baked_application" RESULT_VARIABLE code ERROR_VARIABLE said)
+if(NOT said MATCHES "CV6003")
+  message(FATAL_ERROR "baked_application does not say that GL has no functions: ${said}")
 endif()
 
 foreach(program build/application build/c_application by_pkg_config)

@@ -17,7 +17,7 @@ if [[ -z $browser ]] || ! command -v em++ >/dev/null; then
     echo "SKIPPED: no chromium or no em++; apt-get install chromium emscripten"
     [[ -n ${CREVICE_REQUIRE_BROWSER:-} ]] && exit 1 || exit 77
 fi
-"$here/../../tools/scripts/web.sh" -DCREVICE_PLATFORM_TESTS=some
+"$here/../../tools/scripts/web.sh" -DCREVICE_PLATFORM_TESTS=some "-DCREVICE_WEB_CONFIGS=$(IFS=';' && echo "${configs[*]}")"
 source "$here/../support/cli_checks.sh"
 
 width=320 height=180

@@ -23,14 +23,13 @@ for triplet in "${triplets[@]}"; do
     exit 77
 done
 "$crevice" bake "$config" --output ao --header "$work/baked.h" 2>/dev/null
-echo 'void* find_function(const char* name, void* user) { return name && user ? user : 0; }' >"$work/find.c"
 
 # link TRIPLET NAME ARGUMENT...: a stripped host, its map beside it; prints its bytes
 link() {
     local triplet=$1 name=$2
     "$triplet-gcc" -std=c99 -Os -ffunction-sections -fno-asynchronous-unwind-tables -Ieffects/api/c/include -I"$work" \
         -s -Wl,--gc-sections -Wl,-z,max-page-size=4096 "-Wl,-Map=$work/$name.map" tests/platforms/size_host.c \
-        "$work/find.c" "${@:3}" -lstdc++ -lm -ldl -o "$work/$name" 2>"$work/link.txt" || { cat "$work/link.txt" >&2; exit 1; }
+        tests/installed/find.c "${@:3}" -lstdc++ -lm -ldl -o "$work/$name" 2>"$work/link.txt" || { cat "$work/link.txt" >&2; exit 1; }
     stat -c %s "$work/$name"
 }
 
