@@ -268,21 +268,29 @@ private:
         return missing(description, now, *nearest);
     }
 
-    // Names what differs from the nearest that is there.
+    // Names what differs from the nearest that is there, and what to bake: that, and all there was.
     Diagnostic missing(const Description& description, const std::vector<float>& now,
                        const BakedChoice& nearest) const
     {
         std::string has, wanted, help;
         for (std::size_t i = 0; i < now.size(); ++i) {
-            if (now[i] == nearest.numbers[i]) continue;
             const BakedAxis& axis = entry_.axes[i];
-            const bool trait = axis.kind == BakedAxis::Kind::trait;
-            const std::string was = wordOf(axis, description, nearest.numbers[i]),
-                              word = wordOf(axis, description, now[i]);
-            wanted += (wanted.empty() ? "" : ", ") + axis.name + " " + word;
-            has += (has.empty() ? "" : ", ") + axis.name + " " + was;
-            help += std::string(trait ? " --trait " : " --values ") + axis.name + "=" + was + "," +
-                    word;
+            const bool differs = now[i] != nearest.numbers[i];
+            if (axis.kind == BakedAxis::Kind::no_op) continue;
+            std::vector<std::string> words;
+            for (const BakedChoice& each : entry_.choices)
+                if (std::string word = wordOf(axis, description, each.numbers[i]);
+                    !contains(words, word))
+                    words.push_back(std::move(word));
+            const std::string word = wordOf(axis, description, now[i]);
+            if (differs) {
+                wanted += (wanted.empty() ? "" : ", ") + axis.name + " " + word;
+                has += (has.empty() ? "" : ", ") + axis.name + " " + joined(words, " or ");
+                if (!contains(words, word)) words.push_back(word);
+            }
+            if (words.size() > 1)
+                help += (axis.kind == BakedAxis::Kind::trait ? " --trait " : " --values ") +
+                        axis.name + "=" + joined(words, ",");
         }
         return notBaked(
             "'" + entry_.config.name + "' was not baked for " + wanted + ", but for " + has,

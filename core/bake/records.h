@@ -78,66 +78,35 @@ struct BakedFile {
     std::vector<BakedEntry> entries;
 };
 
-template <class A>
-void fields(A& a, Reference& x)
-{
-    a(x.name);
-}
-template <class A>
-void fields(A& a, ParamDesc& x)
-{
-    a(x.name, upTo(x.type, ParamType::vec4), x.value, x.min, x.max, x.soft_max, x.step, x.unit,
-      x.label, x.group, upTo(x.bind, Bind::define), upTo(x.semantic, ParamSemantic::margin));
-}
-template <class A>
-void fields(A& a, FeatureDesc::Setting& x)
-{
-    a(x.name, x.value);
-}
-template <class A>
-void fields(A& a, FeatureDesc::Level& x)
-{
-    a(x.name, x.settings);
-}
-template <class A>
-void fields(A& a, FeatureDesc& x)
-{
-    a(x.name, x.values, x.boolean, x.value, x.label, x.sets);
-}
-template <class A>
-void fields(A& a, ImportDesc& x)
-{
-    a(x.name, upTo(x.type, ImportType::texture), x.optional, x.format);
-}
-template <class A>
-void fields(A& a, GeneratorDesc& x)
-{
-    a(x.name, x.generator, x.count, x.shape, x.lengths, x.seed);
-}
+/// The members of a record, in the order in which they are written.
+#define CREVICE_FIELDS(Type, ...) \
+    template <class A> \
+    void fields(A& a, Type& x) \
+    { \
+        a(__VA_ARGS__); \
+    }
+
+CREVICE_FIELDS(Reference, x.name)
+CREVICE_FIELDS(ParamDesc, x.name, upTo(x.type, ParamType::vec4), x.value, x.min, x.max, x.soft_max,
+               x.step, x.unit, x.label, x.group, upTo(x.bind, Bind::define),
+               upTo(x.semantic, ParamSemantic::margin))
+CREVICE_FIELDS(FeatureDesc::Setting, x.name, x.value)
+CREVICE_FIELDS(FeatureDesc::Level, x.name, x.settings)
+CREVICE_FIELDS(FeatureDesc, x.name, x.values, x.boolean, x.value, x.label, x.sets)
+CREVICE_FIELDS(ImportDesc, x.name, upTo(x.type, ImportType::texture), x.optional, x.format)
+CREVICE_FIELDS(GeneratorDesc, x.name, x.generator, x.count, x.shape, x.lengths, x.seed)
 template <class A>
 void fields(A& a, GeneratedDesc& x)
 {
     fields(a, static_cast<GeneratorDesc&>(x));
     a(x.count_param);
 }
-template <class A>
-void fields(A& a, ProductDesc& x)
-{
-    a(x.factor, x.params);
-}
-template <class A>
-void fields(A& a, SizeDesc& x)
-{
-    a(x.width, x.height, x.depth, x.of, x.scale_param, x.scale, x.border);
-}
+CREVICE_FIELDS(ProductDesc, x.factor, x.params)
+CREVICE_FIELDS(SizeDesc, x.width, x.height, x.depth, x.of, x.scale_param, x.scale, x.border)
 struct FormatField {
     Format format = Format::none;
 };
-template <class A>
-void fields(A& a, FormatField& x)
-{
-    a(upTo(x.format, Format::depth32f));
-}
+CREVICE_FIELDS(FormatField, upTo(x.format, Format::depth32f))
 template <class A>
 void fields(A& a, TargetDesc& x)
 {
@@ -148,57 +117,18 @@ void fields(A& a, TargetDesc& x)
     x.formats.clear();
     for (const FormatField& each : formats) x.formats.push_back(each.format);
 }
-template <class A>
-void fields(A& a, NoOpDesc& x)
-{
-    a(x.name, x.at);
-}
-template <class A>
-void fields(A& a, InputDesc& x)
-{
-    a(x.name, x.from, upTo(x.filter, Filter::trilinear), x.has_filter);
-}
-template <class A>
-void fields(A& a, PassDesc& x)
-{
-    a(x.name, upTo(x.type, PassType::fullscreen), x.depth, x.inputs, x.no_op, x.frustum_scale_param,
-      x.frustum_scale);
-}
-template <class A>
-void fields(A& a, OutputDesc& x)
-{
-    a(x.name);
-}
-template <class A>
-void fields(A& a, Description& x)
-{
-    a(x.name, x.text, x.params, x.features, x.imports, x.generated, x.targets, x.passes, x.outputs);
-}
-template <class A>
-void fields(A& a, BakedText& x)
-{
-    a(x.version, x.steps, x.values, x.body);
-}
-template <class A>
-void fields(A& a, BakedProgram& x)
-{
-    a(x.label, x.vertex, x.fragment);
-}
-template <class A>
-void fields(A& a, BakedAxis::Given& x)
-{
-    a(x.replaced, x.by);
-}
-template <class A>
-void fields(A& a, BakedAxis& x)
-{
-    a(upTo(x.kind, BakedAxis::Kind::no_op), x.name, x.at, x.given);
-}
-template <class A>
-void fields(A& a, BakedChoice& x)
-{
-    a(x.numbers, x.plan);
-}
+CREVICE_FIELDS(NoOpDesc, x.name, x.at)
+CREVICE_FIELDS(InputDesc, x.name, x.from, upTo(x.filter, Filter::trilinear), x.has_filter)
+CREVICE_FIELDS(PassDesc, x.name, upTo(x.type, PassType::fullscreen), x.depth, x.inputs, x.no_op,
+               x.frustum_scale_param, x.frustum_scale)
+CREVICE_FIELDS(OutputDesc, x.name)
+CREVICE_FIELDS(Description, x.name, x.text, x.params, x.features, x.imports, x.generated, x.targets,
+               x.passes, x.outputs)
+CREVICE_FIELDS(BakedText, x.version, x.steps, x.values, x.body)
+CREVICE_FIELDS(BakedProgram, x.label, x.vertex, x.fragment)
+CREVICE_FIELDS(BakedAxis::Given, x.replaced, x.by)
+CREVICE_FIELDS(BakedAxis, upTo(x.kind, BakedAxis::Kind::no_op), x.name, x.at, x.given)
+CREVICE_FIELDS(BakedChoice, x.numbers, x.plan)
 template <class A>
 void fields(A& a, BakedEntry& x)
 {
@@ -206,78 +136,30 @@ void fields(A& a, BakedEntry& x)
     a(config.name, config.set, config.ms, config.error, config.description, x.programs, x.axes,
       x.choices, x.plans);
 }
-template <class A>
-void fields(A& a, BakedFile& x)
-{
-    a(x.texts, x.entries);
-}
+CREVICE_FIELDS(BakedFile, x.texts, x.entries)
 
 // A plan; its programs are numbers into BakedEntry::programs.
 
-template <class A>
-void fields(A& a, PlanTarget& x)
-{
-    a(x.name, x.first_pass, x.last_pass, x.history_texture);
-}
-template <class A>
-void fields(A& a, SamplerDesc& x)
-{
-    a(upTo(x.filter, Filter::trilinear), upTo(x.wrap, Wrap::repeat));
-}
-template <class A>
-void fields(A& a, PlanInput& x)
-{
-    a(x.name, upTo(x.kind, InputKind::constant), x.index, x.sampling);
-}
-template <class A>
-void fields(A& a, PlanAttachment& x)
-{
-    a(x.target, x.name, upTo(x.load, LoadOp::discard), upTo(x.store, StoreOp::discard), x.clear);
-}
-template <class A>
-void fields(A& a, PlanParam& x)
-{
-    a(x.name, upTo(x.type, GlslType::int_));
-}
-template <class A>
-void fields(A& a, PlanBox& x)
-{
-    a(x.name, x.factor, x.params, x.steps);
-}
-template <class A>
-void fields(A& a, PlanUniform& x)
-{
-    a(x.name, upTo(x.type, GlslType::mat4), x.count, upTo(x.source, UniformSource::box), x.index);
-}
-template <class A>
-void fields(A& a, StateDesc& x)
-{
-    a(upTo(x.depth_test, Compare::equal), x.depth_write, upTo(x.cull, Cull::front),
-      upTo(x.blend, Blend::max));
-}
-template <class A>
-void fields(A& a, PlanPass& x)
-{
-    a(x.name, upTo(x.type, PassType::fullscreen), x.program, x.color, x.has_depth, x.depth, x.box,
-      x.layers_at_once, x.over, x.blended, x.state, x.scissor, x.cull_below_pixel, x.inputs,
-      x.uniforms);
-}
-template <class A>
-void fields(A& a, PlanOutput& x)
-{
-    a(x.name, x.target, x.constant);
-}
-template <class A>
-void fields(A& a, Elided& x)
-{
-    a(x.what, x.optimization, x.reason);
-}
-template <class A>
-void fields(A& a, Plan& x)
-{
-    a(x.passes, x.targets, x.constants, x.boxes, x.params, x.generated, x.imports, x.outputs,
-      x.elided);
-}
+CREVICE_FIELDS(PlanTarget, x.name, x.first_pass, x.last_pass, x.history_texture)
+CREVICE_FIELDS(SamplerDesc, upTo(x.filter, Filter::trilinear), upTo(x.wrap, Wrap::repeat))
+CREVICE_FIELDS(PlanInput, x.name, upTo(x.kind, InputKind::constant), x.index, x.sampling)
+CREVICE_FIELDS(PlanAttachment, x.target, x.name, upTo(x.load, LoadOp::discard),
+               upTo(x.store, StoreOp::discard), x.clear)
+CREVICE_FIELDS(PlanParam, x.name, upTo(x.type, GlslType::int_))
+CREVICE_FIELDS(PlanBox, x.name, x.factor, x.params, x.steps)
+CREVICE_FIELDS(PlanUniform, x.name, upTo(x.type, GlslType::mat4), x.count,
+               upTo(x.source, UniformSource::box), x.index)
+CREVICE_FIELDS(StateDesc, upTo(x.depth_test, Compare::equal), x.depth_write,
+               upTo(x.cull, Cull::front), upTo(x.blend, Blend::max))
+CREVICE_FIELDS(PlanPass, x.name, upTo(x.type, PassType::fullscreen), x.program, x.color,
+               x.has_depth, x.depth, x.box, x.layers_at_once, x.over, x.blended, x.state, x.scissor,
+               x.cull_below_pixel, x.inputs, x.uniforms)
+CREVICE_FIELDS(PlanOutput, x.name, x.target, x.constant)
+CREVICE_FIELDS(Elided, x.what, x.optimization, x.reason)
+CREVICE_FIELDS(Plan, x.passes, x.targets, x.constants, x.boxes, x.params, x.generated, x.imports,
+               x.outputs, x.elided)
+
+#undef CREVICE_FIELDS
 
 /// The number of an axis, of a description as it is now in such a scene on a device.
 float numberOf(const BakedAxis& axis, const Description& description, const SceneTraits& traits,

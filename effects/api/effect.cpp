@@ -5,6 +5,8 @@
 #include <crevice/governor.h>
 #include <crevice/renderer.h>
 
+#include "effects/api/front.h"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -303,14 +305,12 @@ Result<bool> Effect::warm()
 
 Status Effect::govern(const std::vector<BakedConfig>& levels, const GovernorOptions& options)
 {
-    std::vector<FrontLevel> front;
-    std::vector<Description> descriptions;
-    for (const BakedConfig& each : levels) {
-        front.push_back({{each.name}, each.set, each.ms, each.error});
-        descriptions.push_back(each.description);
-    }
-    Result<Governor> governor = Governor::create(std::move(front), options);
+    Result<std::vector<FrontLevel>> front = frontOf(levels);
+    if (!front) return front.diagnostics();
+    Result<Governor> governor = Governor::create(std::move(*front), options);
     if (!governor) return governor.diagnostics();
+    std::vector<Description> descriptions;
+    for (const BakedConfig& each : levels) descriptions.push_back(each.description);
     return govern(std::move(*governor), std::move(descriptions));
 }
 

@@ -84,6 +84,18 @@ Status checkFront(const std::vector<FrontLevel>& levels)
     return {};
 }
 
+Result<std::vector<FrontLevel>> frontOf(const std::vector<BakedConfig>& baked)
+{
+    std::vector<FrontLevel> levels;
+    for (const BakedConfig& each : baked) {
+        if (each.ms == 0)
+            return Diagnostic{Code::not_baked, "'" + each.name + "' was baked without its time",
+                              "bake the levels of a governor by crevice bake --front FILE"};
+        levels.push_back({{each.name}, each.set, each.ms, each.error});
+    }
+    return levels;
+}
+
 Governor::Governor(std::vector<FrontLevel> levels, const GovernorOptions& options)
     : levels_(std::move(levels)),
       options_(options)

@@ -23,6 +23,26 @@ Diagnostic usage(std::string message, std::string help)
     return {Code::usage, std::move(message), std::move(help)};
 }
 
+template <class T>
+std::string bytesOf(const T& record)
+{
+    ArchiveWriter writer;
+    writer.member(record);
+    return std::move(writer.bytes);
+}
+
+/// Where the list has it; where it has not, it is added.
+template <class T>
+int indexIn(std::vector<T>& list, T record)
+{
+    const std::string bytes = bytesOf(record);
+    const auto known = std::find_if(list.begin(), list.end(),
+                                    [&](const T& each) { return bytesOf(each) == bytes; });
+    const auto index = static_cast<int>(known - list.begin());
+    if (known == list.end()) list.push_back(std::move(record));
+    return index;
+}
+
 /// A device that has all that configs ask for: what one lacks is seen where the effect runs.
 DeviceCaps ampleCaps()
 {
@@ -161,6 +181,15 @@ public:
         findAxes();
         choosePlans();
         keepWhatRuns();
+        for (const Choice& choice : choices_) {
+            const FeatureDesc* const feature = findNamed(base_.features, choice.name);
+            if (choice.kind == BakedAxis::Kind::no_op || findNamed(entry_.axes, choice.name) ||
+                (feature && !feature->sets.empty()))
+                continue;
+            warnings_.push_back(
+                asWarning(usage("'" + choice.name + "' decides no plan of '" + request_.name + "'",
+                                "leave it out: each value of it can be set at run time")));
+        }
         return {std::move(entry_), std::move(warnings_)};
     }
 
@@ -240,10 +269,9 @@ private:
         for (GeneratorDesc& each : plan->generated) each.count = 1;
         for (ImportDesc& each : plan->imports) each.format = ImportDesc().format;
         outputs_ = namesOf(plan->outputs);
-        ArchiveWriter record;
-        record.member(*plan);
-        const auto known = plans_.try_emplace(record.bytes, int(entry_.plans.size()));
-        if (known.second) entry_.plans.push_back(std::move(record.bytes));
+        const std::string record = bytesOf(*plan);
+        const auto known = plans_.try_emplace(record, int(entry_.plans.size()));
+        if (known.second) entry_.plans.push_back(record);
         planned_.push_back({valuesOf(description), traits, known.first->second});
         return {};
     }
@@ -255,17 +283,14 @@ private:
         const Result<int> fragment = addText(program.fragment, shader);
         if (!vertex) return vertex.diagnostics();
         if (!fragment) return fragment.diagnostics();
-        for (std::size_t i = 0; i < entry_.programs.size(); ++i)
-            if (entry_.programs[i].label == program.label && entry_.programs[i].vertex == *vertex &&
-                entry_.programs[i].fragment == *fragment)
-                return int(i);
-        entry_.programs.push_back({program.label, *vertex, *fragment});
-        return int(entry_.programs.size()) - 1;
+        return indexIn(entry_.programs, {program.label, *vertex, *fragment});
     }
 
     /// The index of a stage's text, which is added where it is new.
     Result<int> addText(const GlslStage& stage, const ShaderDesc& shader)
     {
+        const auto known = stages_.find({shader.name, stage.text});
+        if (known != stages_.end()) return known->second;
         std::vector<std::string> given;  // by the config, and not for all time by the shader itself
         for (const std::string& name : stage.defines_used)
             if (shader.defines.count(name) == 0) given.push_back(name);
@@ -287,17 +312,7 @@ private:
         Result<std::string> body = stripped(stage.text, late);
         if (!body) return body.diagnostics();
         text.body = std::move(*body);
-        ArchiveWriter record;
-        record.member(text);
-        const auto same = [&](const BakedText& each) {
-            ArchiveWriter other;
-            other.member(each);
-            return other.bytes == record.bytes;
-        };
-        const auto known = std::find_if(file_.texts.begin(), file_.texts.end(), same);
-        const int index = int(known - file_.texts.begin());
-        if (known == file_.texts.end()) file_.texts.push_back(std::move(text));
-        return index;
+        return stages_[{shader.name, stage.text}] = indexIn(file_.texts, std::move(text));
     }
 
     bool decides(const std::string& name, const std::string& define) const
@@ -326,13 +341,7 @@ private:
                 BakedAxis axis{BakedAxis::Kind::no_op, no_op.name, no_op.at};
                 for (const NoOpDesc::Gives& each : no_op.gives)
                     if (!each.constant) axis.given.push_back({each.name, each.input.name});
-                const auto same = [&](const BakedAxis& other) {
-                    ArchiveWriter a, b;
-                    a.member(axis);
-                    b.member(other);
-                    return a.bytes == b.bytes;
-                };
-                if (!anyOf(entry_.axes, same)) entry_.axes.push_back(std::move(axis));
+                indexIn(entry_.axes, std::move(axis));
             }
     }
 
@@ -390,9 +399,10 @@ private:
     CompileOptions compile_;
     std::vector<Choice> choices_;
     std::vector<Planned> planned_;
-    std::map<std::string, int> plans_;  // by their records
-    std::set<std::string> used_;        // passes and targets
-    std::set<std::string> deciding_;    // macros that texts mention, but for those that are late
+    std::map<std::string, int> plans_;                           // by their records
+    std::map<std::pair<std::string, std::string>, int> stages_;  // by shader and whole text
+    std::set<std::string> used_;                                 // passes and targets
+    std::set<std::string> deciding_;  // macros that texts mention, but for those that are late
     std::vector<std::string> outputs_;
     BakedEntry entry_;
     Diagnostics warnings_;
@@ -428,15 +438,14 @@ Result<std::string> bake(const std::vector<BakeRequest>& requests, const BakeOpt
         if (!entry) return warnings;
         file.entries.push_back(std::move(*entry));
     }
-    ArchiveWriter records;
-    records.member(file);
-    if (records.bytes.size() > kMostBakedBytes)
-        return usage("the effect would have " + std::to_string(records.bytes.size()) + " bytes",
+    const std::string records = bytesOf(file);
+    if (records.size() > kMostBakedBytes)
+        return usage("the effect would have " + std::to_string(records.size()) + " bytes",
                      "list fewer values, or bake two effects");
-    const std::string packed = pack(records.bytes);
+    const std::string packed = pack(records);
     ContentHash hash;
     hash.addBytes(packed.data(), packed.size());
-    const auto count = static_cast<std::uint32_t>(records.bytes.size());
+    const auto count = static_cast<std::uint32_t>(records.size());
     const std::uint64_t words = vocabulary(), checksum = hash.value();
     std::string bytes(kMagic, sizeof kMagic);
     bytes.append(reinterpret_cast<const char*>(&count), sizeof count);

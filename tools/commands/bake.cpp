@@ -103,6 +103,7 @@ int bakeCommand(BakeArguments& arguments)
     if (!bytes) return report(bytes.diagnostics(), false);
     std::string name = std::filesystem::path(file).stem().string();
     for (char& c : name) c = isWord(c) ? c : '_';
+    if (name.empty() || isDigit(name[0])) name.insert(0, "baked_");
     const Status written =
         writeFile(file, arguments.header.empty() ? *bytes : asHeader(*bytes, name));
     if (!written) return report(written.diagnostics(), false);

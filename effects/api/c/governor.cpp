@@ -11,20 +11,12 @@ using namespace crevice;
 
 namespace {
 
-Result<std::vector<FrontLevel>> bakedLevels(const std::vector<BakedConfig>& baked)
-{
-    std::vector<FrontLevel> levels;
-    for (const BakedConfig& each : baked)
-        levels.push_back({{each.name}, each.set, each.ms, each.error});
-    return levels;
-}
-
 Status govern(crevice_effect& effect, const crevice_governor_desc& desc)
 {
     const bool baked = !desc.front && effect.request.baked;
     Status given = baked ? Status() : checkGiven(desc.front, "the front");
     if (!given) return given;
-    auto levels = baked ? bakedLevels(*effect.request.baked) : levelsOf(desc.front);
+    auto levels = baked ? frontOf(*effect.request.baked) : levelsOf(desc.front);
     if (!levels) return levels.diagnostics();
     GovernorOptions options;
     options.budget_ms = desc.budget_ms;

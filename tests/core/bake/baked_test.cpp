@@ -186,8 +186,9 @@ TEST_CASE("A baked effect has what was listed, and names what was not")
     const auto missing = planned(baked);
     REQUIRE_FALSE(missing);
     CHECK(firstOf(missing.diagnostics()) ==
-          "error CV2301: 'mobile' was not baked for display no_ao, but for display lit\n"
-          "  help: bake it with --values display=lit,no_ao\n");
+          "error CV2301: 'mobile' was not baked for display no_ao, but for display lit or ao_only\n"
+          "  help: bake it with --values display=lit,ao_only,no_ao --trait "
+          "camera.reversed_depth=false,true\n");
     SceneTraits turned = usualTraits();
     turned.orthographic = true;
     baked.features[static_cast<std::size_t>(display)].value = 0;

@@ -51,6 +51,10 @@ Status setBaked(Description& description, const std::string& text)
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::string name = text.substr(0, equals),
                       value = text.substr(std::min(equals + 1, text.size()));
+    if (startsWith(text, "+"))
+        return Diagnostic{Code::usage, "a baked effect takes no module, as '" + text + "'",
+                          "it has those that it was baked with: leave out --host-depth, or bake "
+                          "another"};
     const int feature = indexOf(description.features, name);
     const int param = indexOf(description.params, name);
     if (feature >= 0) {

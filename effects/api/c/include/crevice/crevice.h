@@ -673,7 +673,9 @@ CREVICE_API crevice_error* crevice_effect_get_pass_time(const crevice_effect* ef
 /// What a governor is made of. <crevice/governor.h> says how it decides.
 typedef struct crevice_governor_desc {
     size_t struct_size;
-    const char* front;  ///< A file of `crevice choose --write-front`, or its JSON text. Required.
+    /// A file of `crevice choose --write-front`, or its JSON text; null for the levels of the baked
+    /// effect that the effect was made of. Otherwise required.
+    const char* front;
     double budget_ms;   ///< GPU time that a frame of the effect may take, above 0. Required.
     double most_error;  ///< Levels of a larger error are not used; 0: all are.
     double share;       ///< Of the budget, within which a better level must stay; 0 is 0.9.
