@@ -183,7 +183,10 @@ public:
         keepWhatRuns();
         for (const Choice& choice : choices_) {
             const FeatureDesc* const feature = findNamed(base_.features, choice.name);
-            if (choice.kind == BakedAxis::Kind::no_op || findNamed(entry_.axes, choice.name) ||
+            const auto decides_it = [&](const BakedAxis& axis) {
+                return axis.name == choice.name && axis.kind == choice.kind;
+            };
+            if (choice.kind == BakedAxis::Kind::no_op || anyOf(entry_.axes, decides_it) ||
                 (feature && !feature->sets.empty()))
                 continue;
             warnings_.push_back(

@@ -243,6 +243,16 @@ TEST_CASE("Baking is the same each time, and says what cannot be baked")
     CHECK(has(refused(options), "CV2209"));
 }
 
+TEST_CASE("Values that decide nothing are named when an effect is baked")
+{
+    BakeOptions options = usualBake();
+    options.values = {{"radius", {"1", "2"}}, {"display", {"lit"}}};
+    const auto bytes = bake({{"mobile", {}, 0, 0, descriptionOf({"mobile"})}}, options);
+    REQUIRE(bytes);
+    REQUIRE(bytes.diagnostics().size() == 1);
+    CHECK(has(firstOf(bytes.diagnostics()), "'radius' decides no plan of 'mobile'"));
+}
+
 TEST_CASE("What is packed comes back")
 {
     std::mt19937 random(7);
