@@ -45,9 +45,21 @@ bool known(const List& list, const Other& other)
     return allOf(list, [&](const auto& each) { return findNamed(other, each.name); });
 }
 
-bool anyFormat(const TargetDesc& target)
+bool hasFormats(const TargetDesc& target)
 {
-    return allOf(target.formats, [](Format each) { return each != Format::none; });
+    return !target.formats.empty() &&
+           allOf(target.formats, [](Format each) { return each != Format::none; });
+}
+
+bool holdsWord(const FeatureDesc& feature, float word)
+{
+    return word >= 0 && word < static_cast<float>(feature.values.size());
+}
+
+// Whether an int can have it, where the param is one.
+bool fitsType(const ParamDesc& param, const std::array<float, 4>& value)
+{
+    return param.type != ParamType::int_ || std::abs(value[0]) <= 1e9f;
 }
 
 bool isWhole(const Description& description)
@@ -57,9 +69,9 @@ bool isWhole(const Description& description)
             return contains(feature.values, each.name) &&
                    allOf(each.settings, [&](const FeatureDesc::Setting& setting) {
                        const FeatureDesc* other = findNamed(description.features, setting.name);
-                       if (!other) return findNamed(description.params, setting.name) != nullptr;
-                       const float word = setting.value[0];
-                       return word >= 0 && word < float(other->values.size());
+                       if (other) return holdsWord(*other, setting.value[0]);
+                       const ParamDesc* param = findNamed(description.params, setting.name);
+                       return param && fitsType(*param, setting.value);
                    });
         };
         return holds(feature.values, feature.value) && allOf(feature.sets, level);
@@ -72,11 +84,13 @@ bool isWhole(const Description& description)
     };
     const auto sound = [&](const TargetDesc& target) {
         const SizeDesc& size = target.size;
-        return !target.formats.empty() && anyFormat(target) && ends(target) &&
-               target.samples >= 1 && target.samples <= kMaxSamples &&
-               size.scale >= kSmallestScale && size.scale <= kLargestScale;
+        return hasFormats(target) && ends(target) && target.samples >= 1 &&
+               target.samples <= kMaxSamples && size.scale >= kSmallestScale &&
+               size.scale <= kLargestScale;
     };
-    return allOf(description.features, fits) && allOf(description.targets, sound);
+    const auto typed = [](const ParamDesc& param) { return fitsType(param, param.value); };
+    return allOf(description.params, typed) && allOf(description.features, fits) &&
+           allOf(description.targets, sound);
 }
 
 // What a uniform is fed from, as a type and elements; nothing where the index leads nowhere.
@@ -219,7 +233,7 @@ public:
         if (!reader.ok() || !reader.atEnd() || !isWhole(plan, description, entry_.programs))
             return broken("a plan in it cannot be read");
         plan.config = description.name;
-        append(plan, std::move(elided));
+        plan.elided.insert(plan.elided.begin(), elided.begin(), elided.end());
         addPrograms(plan, description, traits, caps, options.extent.height);
         fitPlan(plan, description, traits, caps, options);
         if (const Status fits = checkDevice(plan, caps); !fits) return fits.diagnostics();
@@ -228,11 +242,6 @@ public:
     }
 
 private:
-    static void append(Plan& plan, std::vector<Elided> elided)
-    {
-        plan.elided.insert(plan.elided.begin(), elided.begin(), elided.end());
-    }
-
     Status checkOptions(const CompileOptions& options) const
     {
         if (!options.disable.empty())
@@ -258,12 +267,17 @@ private:
         for (const BakedAxis& axis : entry_.axes)
             now.push_back(numberOf(axis, description, traits, caps, height));
         const BakedChoice* nearest = nullptr;
-        std::ptrdiff_t least = 0;
-        for (const BakedChoice& each : entry_.choices) {
-            std::ptrdiff_t differ = 0;
-            for (std::size_t i = 0; i < now.size(); ++i) differ += now[i] != each.numbers[i];
-            if (differ == 0) return each.plan;
-            if (!nearest || differ < least) nearest = &each, least = differ;
+        for (const bool runs_all : {false, true}) {
+            // Where formats let only some no-ops hold, none need: those passes change nothing.
+            for (std::size_t i = 0; runs_all && i < now.size(); ++i)
+                if (entry_.axes[i].kind == BakedAxis::Kind::no_op) now[i] = 0;
+            std::ptrdiff_t least = 0;
+            for (const BakedChoice& each : entry_.choices) {
+                std::ptrdiff_t differ = 0;
+                for (std::size_t i = 0; i < now.size(); ++i) differ += now[i] != each.numbers[i];
+                if (differ == 0) return each.plan;
+                if (least == 0 || differ < least) nearest = &each, least = differ;
+            }
         }
         return missing(description, now, *nearest);
     }
@@ -349,6 +363,12 @@ private:
 
     static Status checkDevice(const Plan& plan, const DeviceCaps& caps)
     {
+        for (const PlanProgram& each : plan.programs)
+            if (caps.version < 310 && startsWith(each.fragment.text, "#version 310"))
+                return Diagnostic{
+                    Code::sampler_version,
+                    "shader '" + each.label + "' needs OpenGL ES 3.1, and the device has 3.0",
+                    "take another config on this device"};
         for (const PlanTexture& each : plan.textures) {
             const std::string name = "target '" + each.targets.front() + "'";
             const Extent& size = each.extent;
@@ -400,10 +420,9 @@ bool isWhole(const BakedFile& file)
         };
         const auto choice = [&](const BakedChoice& each) {
             for (std::size_t i = 0; i < entry.axes.size() && i < each.numbers.size(); ++i)
-                if (const FeatureDesc* const feature =
-                        findNamed(description.features, entry.axes[i].name);
-                    entry.axes[i].kind == BakedAxis::Kind::feature &&
-                    !holds(feature->values, static_cast<int>(each.numbers[i])))
+                if (const BakedAxis& by = entry.axes[i];
+                    by.kind == BakedAxis::Kind::feature &&
+                    !holdsWord(*findNamed(description.features, by.name), each.numbers[i]))
                     return false;
             return each.numbers.size() == entry.axes.size() && holds(entry.plans, each.plan);
         };
