@@ -125,7 +125,7 @@ if(code EQUAL 0 OR NOT said MATCHES "GLM_FORCE_DEFAULT_ALIGNED_GENTYPES")
 endif()
 
 execute_process(COMMAND "${WORK}/build/baked_application" RESULT_VARIABLE code ERROR_VARIABLE said)
-if(NOT said MATCHES "CV6003")
+if(NOT said MATCHES "CV6004")
   message(FATAL_ERROR "baked_application does not say that GL has no functions: ${said}")
 endif()
 

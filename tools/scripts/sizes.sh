@@ -11,10 +11,10 @@ source tools/scripts/built_crevice.sh
 crevice=$(realpath -- "$CREVICE")
 table=docs/reference/baked.md
 config=mobile+geometry/host_depth
-triplets=(aarch64-linux-gnu arm-linux-gnueabihf) kinds=(baked full)
+triplets=(aarch64-linux-gnu arm-linux-gnueabihf)
 unity=()  # which hides which file has what
 if [[ ${1:-} == --check ]]; then
-    triplets=(aarch64-linux-gnu) kinds=(baked)
+    triplets=(aarch64-linux-gnu)
     unity=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10)
 fi
 for triplet in "${triplets[@]}"; do
@@ -33,25 +33,30 @@ link() {
     stat -c %s "$work/$name"
 }
 
+# configure TRIPLET ARGUMENT...: a build of the libraries; prints its folder
+configure() {
+    local build=build/sizes_$1${unity:+_check}
+    quietly cmake -G Ninja -S . -B "$build" --toolchain "tools/cmake/$1.cmake" -DCMAKE_BUILD_TYPE=MinSizeRel \
+        -DCMAKE_CXX_FLAGS="-ffunction-sections -fdata-sections" -DCREVICE_TOOLS=OFF -DCREVICE_TESTS=OFF \
+        -DCREVICE_INSTALL=OFF "${unity[@]}" -DCREVICE_EMBED="$config" "${@:2}"
+    echo "$build"
+}
+
+# full TRIPLET BUILD: builds the whole library, and links a host with it
+full() {
+    quietly cmake --build "$2" --target crevice_c crevice_effects crevice_backends
+    link "$1" "$1.full" "-DCONFIG=\"$config\"" "$2/effects/api/c/libcrevice.a" "$2/effects/libcrevice_effects.a" \
+        "$2/backends/libcrevice_backends.a" "$2/core/libcrevice_core.a"
+}
+
 declare -A bytes
 for triplet in "${triplets[@]}"; do
-    build=build/sizes_$triplet${unity:+_check}
-    quietly cmake -G Ninja -S . -B "$build" --toolchain "tools/cmake/$triplet.cmake" -DCMAKE_BUILD_TYPE=MinSizeRel \
-        -DCMAKE_CXX_FLAGS="-ffunction-sections -fdata-sections" -DCREVICE_TOOLS=OFF -DCREVICE_TESTS=OFF \
-        -DCREVICE_INSTALL=OFF "${unity[@]}" -DCREVICE_EMBED="$config"
-    libraries=$build/effects/api/c
+    build=$(configure "$triplet" -DCREVICE_IPO=ON)
     empty=$(link "$triplet" empty)
-    for kind in "${kinds[@]}"; do
-        if [[ $kind == baked ]]; then
-            quietly cmake --build "$build" --target crevice_runtime
-            whole=$(link "$triplet" "$triplet.baked" -DBAKED "$libraries/libcrevice_runtime.a")
-        else
-            quietly cmake --build "$build" --target crevice_c crevice_effects crevice_backends
-            whole=$(link "$triplet" "$triplet.full" "-DCONFIG=\"$config\"" "$libraries/libcrevice.a" \
-                "$build/effects/libcrevice_effects.a" "$build/backends/libcrevice_backends.a" "$build/core/libcrevice_core.a")
-        fi
-        bytes[$triplet.$kind]=$((whole - empty))
-    done
+    quietly cmake --build "$build" --target crevice_runtime
+    baked=$(link "$triplet" "$triplet.baked" -DBAKED "$build/effects/api/c/libcrevice_runtime.a")
+    bytes[$triplet.baked]=$((baked - empty))
+    [[ ${1:-} == --check ]] || bytes[$triplet.full]=$(($(full "$triplet" "$build") - empty))
 done
 
 if [[ ${1:-} == --check ]]; then
@@ -72,13 +77,15 @@ for triplet in "${triplets[@]}"; do
     echo "| $name | $(thousands "${bytes[$triplet.baked]}") | $(thousands "${bytes[$triplet.full]}") |"
 done
 echo
+# By folder, which only a linker that takes object by object can tell.
+full aarch64-linux-gnu "$(configure aarch64-linux-gnu -DCREVICE_IPO=OFF)" >/dev/null
 echo '| folder, arm64 | full |'
 echo '|---|---|'
 python3 - "$work/aarch64-linux-gnu.full.map" <<'END' | sort
 import collections, glob, re, sys
 homes = {'crevice': 'effects/api/c', 'crevice_effects': 'effects/api'}
 folders = {path.split('/')[-1]: '/'.join(path.split('/')[:-1]) for library in ('core', 'backends')
-           for path in glob.glob(library + '/**/*.cpp', recursive=True)}
+           for path in glob.glob(library + '/**/*.cpp', recursive=True) if 'recording' not in path}  # no host has it
 sums, name = collections.Counter(), ''
 for line in open(sys.argv[1], errors='replace'):
     if re.match(r' \.\S+$', line):
